@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files in and out. Paths may be "-" for standard input or output where the format allows it.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "rimline/cloud.h"
+#include "rimline/mesh.h"
+#include "rimline/run.h"
+
+namespace rimline {
+
+// Reads the points of a PLY (ascii, both binary orders), XYZ/TXT/CSV, OBJ, OFF, PCD (ascii, binary,
+// compressed) or STL file (corners that coincide are merged). The format is told by the content, then by
+// the ending. Faces and lists are skipped; every other vertex property is kept in Cloud::columns.
+// Rows with NaN or infinite coordinates are kept: the stages leave them out and count them.
+// Throws CannotRead, naming the file, the line or byte, and what to do.
+Cloud read_cloud(const std::string& path, const Run& run);
+
+// Writes the points and columns as binary little-endian PLY: coordinates in coordinate_type, input order.
+// Written beside the target and renamed, so that an interrupted or failed write leaves no partial file.
+// Throws CannotWrite.
+void write_cloud(const std::string& path, const Cloud& cloud, const Run& run);
+
+// Writes points and triangles, by the ending: ply (columns kept; `list uchar int vertex_indices`), obj, off
+// or stl (binary). The ending is checked by check_mesh_path before any work. Throws CannotWrite.
+void write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
+                const Run& run);
+
+// Throws BadOption where write_mesh does not know the ending; the message lists those it knows.
+void check_mesh_path(const std::string& path);
+
+// Writes `text` in the same safe way (reports, JSON).
+void write_text(const std::string& path, const std::string& text);
+
+// LOOPS.json, schema 1. docs/formats.md
+std::string loops_to_json(const std::vector<Loop>& loops);
+// Reads the loops of a LOOPS.json, ids checked against `point_count`: in range, at least three, none twice in
+// a loop (a repeated closing id is dropped). Only `points` is required. Throws CannotRead.
+std::vector<Loop> read_loops(const std::string& path, std::size_t point_count);
+
+}  // namespace rimline

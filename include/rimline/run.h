@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a stage is run (seed, threads, progress, cancel) and how it says no.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rimline/points.h"
+
+namespace rimline {
+
+// The stages in the order in which data passes them.
+enum class Stage { Read, Arrange, Neighbours, Boundary, Loops, Parameterize, Triangulate, Refine, Measure, Write };
+
+// The stage's name as users read it: "neighbours", "loops", ...
+const char* name(Stage stage);
+
+// How far a stage has come: `done` of `total` steps. `total` may be 0 where it is not known.
+struct Progress {
+  Stage stage = Stage::Read;
+  std::size_t done = 0;
+  std::size_t total = 0;
+};
+
+// Everything about a run that is not the method: it never changes the result, but for the seed.
+struct Run {
+  std::uint64_t seed = 1;  // every random stream starts from it
+  int threads = 0;         // most threads used at once; 0 takes all cores. The result does not depend on it.
+
+  // Called from the thread that called the stage, at least ten times a second on long work.
+  std::function<void(Progress)> on_progress;
+
+  // Set it (from another thread or a signal handler) and the running stage throws Error{Cancelled} soon
+  // after, well within a second.
+  const std::atomic<bool>* stop = nullptr;
+
+  // For the stages: report progress, and throw where the caller wants to stop.
+  void progress(Stage stage, std::size_t done, std::size_t total) const {
+    check_cancel();
+    if (on_progress) on_progress({stage, done, total});
+  }
+  void check_cancel() const;
+  bool cancelled() const { return stop != nullptr && stop->load(std::memory_order_relaxed); }
+};
+
+// Why a stage can not give its result. Groups follow the exit status of the tool.
+enum class ErrorCode {
+  BadOption,            // 1: an option is out of its range, or two do not go together
+  CannotRead,           // 2: the input is missing, truncated or not what its format says
+  TooFewPoints,         // 3: fewer points than the stage needs
+  NoClosedLoop,         // 3: no closed loop was found, or the surface is closed
+  UnreachableInterior,  // 3: interior points without a chain of neighbours to the loop: eq. (4) is singular
+  NotADisc,             // 3: a component is closed, has a handle, or is not orientable
+  NoConvergence,        // 3: the linear solve did not reach its residual
+  OutOfMemory,          // 4: the memory, or the limit set on it, does not suffice
+  CannotWrite,          // 4: the output can not be written
+  Cancelled,            // 5: Run::stop was set
+};
+
+// The exit status of the tool for a code: 1 to 5, as listed above.
+int exit_status(ErrorCode code);
+
+// Thrown by every stage that can not give all of its result. The library never prints and never exits.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorCode code, const std::string& message, std::vector<Index> ids = {})
+      : std::runtime_error(message), code_(code), ids_(std::move(ids)) {}
+
+  ErrorCode code() const { return code_; }
+  // Ids of the points that are the reason, ascending, in the ids of the stage that threw; may be empty.
+  const std::vector<Index>& ids() const { return ids_; }
+
+ private:
+  ErrorCode code_;
+  std::vector<Index> ids_;
+};
+
+}  // namespace rimline

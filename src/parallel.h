@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parallel loops whose result does not depend on the number of threads: item i writes slot i, nothing else.
+#pragma once
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <thread>
+
+#include "rimline/run.h"
+
+namespace rimline {
+
+inline int thread_count(const Run& run) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return run.threads > 0 ? run.threads : cores;
+}
+
+// Calls body(begin, end) over slices of [0, count). Progress is reported by the thread that called, between
+// batches of slices; a cancelled run throws Error{Cancelled} there.
+template <class Body>
+void parallel_slices(std::size_t count, Stage stage, const Run& run, const Body& body) {
+  constexpr std::size_t grain = 1024;      // items in one task: long enough to hide its cost
+  constexpr std::size_t batch = 64 * grain;  // items between two looks at progress and cancel
+  tbb::task_arena arena(thread_count(run));
+  for (std::size_t first = 0; first < count; first += batch) {
+    run.progress(stage, first, count);
+    const std::size_t last = std::min(count, first + batch);
+    arena.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, grain), [&](const auto& range) {
+        if (!run.cancelled()) body(range.begin(), range.end());
+      });
+    });
+  }
+  run.progress(stage, count, count);
+}
+
+// Calls body(i) for every i in [0, count).
+template <class Body>
+void parallel_for_each(std::size_t count, Stage stage, const Run& run, const Body& body) {
+  parallel_slices(count, stage, run, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(static_cast<Index>(i));
+  });
+}
+
+}  // namespace rimline
