@@ -24,7 +24,7 @@ inline int thread_count(const Run& run) {
 // batches of slices; a cancelled run throws Error{Cancelled} there.
 template <class Body>
 void parallel_slices(std::size_t count, Stage stage, const Run& run, const Body& body) {
-  constexpr std::size_t grain = 1024;      // items in one task: long enough to hide its cost
+  constexpr std::size_t grain = 1024;        // items in one task: long enough to hide its cost
   constexpr std::size_t batch = 64 * grain;  // items between two looks at progress and cancel
   tbb::task_arena arena(thread_count(run));
   for (std::size_t first = 0; first < count; first += batch) {

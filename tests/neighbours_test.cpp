@@ -30,7 +30,8 @@ std::vector<Point> grid_points(int side) {
 std::vector<Index> nearest_by_brute_force(Points points, Index self, int k) {
   std::vector<std::tuple<double, double, double, double, Index>> all;
   for (Index i = 0; i < points.size(); ++i) {
-    if (i != self) all.emplace_back(squared_distance(points[self], points[i]), points[i].x, points[i].y, points[i].z, i);
+    if (i != self)
+      all.emplace_back(squared_distance(points[self], points[i]), points[i].x, points[i].y, points[i].z, i);
   }
   std::sort(all.begin(), all.end());
   std::vector<Index> ids;
@@ -50,7 +51,9 @@ TEST_CASE("the neighbours of random points are those of brute force") {
   for (const unsigned seed : {1u, 2u, 3u}) check_against_brute_force(random_points(300, seed), 13);
 }
 
-TEST_CASE("ties on a grid are settled by coordinates, then id") { check_against_brute_force(grid_points(12), 7); }
+TEST_CASE("ties on a grid are settled by coordinates, then id") {
+  check_against_brute_force(grid_points(12), 7);
+}
 
 TEST_CASE("one and two threads give the same neighbours") {
   const auto points = random_points(5000, 4);
@@ -62,7 +65,9 @@ TEST_CASE("one and two threads give the same neighbours") {
   CHECK(a.distance == b.distance);
 }
 
-TEST_CASE("a set smaller than k has n - 1 neighbours") { CHECK(find_neighbours(random_points(5, 5), 40, {}).k == 4); }
+TEST_CASE("a set smaller than k has n - 1 neighbours") {
+  CHECK(find_neighbours(random_points(5, 5), 40, {}).k == 4);
+}
 
 TEST_CASE("a single point has no neighbours and says so") {
   CHECK_THROWS_AS(find_neighbours(random_points(1, 6), 4, {}), Error);

@@ -22,8 +22,8 @@ const char* name(LoopKind kind);
 struct Loop {
   std::vector<Index> points;
   LoopKind kind = LoopKind::Outer;
-  double length = 0;     // of the closed polyline, in the unit of the input
-  double fitness = 0;    // eq. (3), on the score that the preset uses
+  double length = 0;   // of the closed polyline, in the unit of the input
+  double fitness = 0;  // eq. (3), on the score that the preset uses
 };
 
 }  // namespace rimline

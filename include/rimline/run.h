@@ -16,7 +16,18 @@
 namespace rimline {
 
 // The stages in the order in which data passes them.
-enum class Stage { Read, Arrange, Neighbours, Boundary, Loops, Parameterize, Triangulate, Refine, Measure, Write };
+enum class Stage {
+  Read,
+  Arrange,
+  Neighbours,
+  Boundary,
+  Loops,
+  Parameterize,
+  Triangulate,
+  Refine,
+  Measure,
+  Write
+};
 
 // The stage's name as users read it: "neighbours", "loops", ...
 const char* name(Stage stage);

@@ -14,9 +14,19 @@
 namespace rimline {
 
 enum class Shape {
-  FlatDisc, BumpySquare, WavySaddle, HemisphereCap, SphereMinusCap, HalfTunnel, CurledStrip, Pipe,
-  SquareWithHoles, CappedTube,       // ten open surfaces
-  ClosedSphere, TorusMinusCap, MoebiusStrip  // three that are no disc: closed, with a handle, one-sided
+  FlatDisc,
+  BumpySquare,
+  WavySaddle,
+  HemisphereCap,
+  SphereMinusCap,
+  HalfTunnel,
+  CurledStrip,
+  Pipe,
+  SquareWithHoles,
+  CappedTube,  // ten open surfaces
+  ClosedSphere,
+  TorusMinusCap,
+  MoebiusStrip  // three that are no disc: closed, with a handle, one-sided
 };
 
 enum class Sampling { BlueNoise, Random, Grid, SmoothDensity, DensityStep, ScanLines, Cropped };

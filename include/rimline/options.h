@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every choice of the method, with its default: written here once and read from here by the library, the
+// tool, the report and the docs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rimline/points.h"
+
+namespace rimline {
+
+// A named set of defaults.
+enum class Preset {
+  Default,   // the best we know
+  Paper,     // Maes & Bultheel 2004, step by step, score as printed in eq. (2)
+  PaperLog,  // the same with the logarithm of eq. (2)
+};
+
+// How eq. (2) enters the fitness, eq. (3).
+enum class ScoreForm {
+  Printed,  // 1 / p: spans nine decades over one straight edge, so one corner can decide
+  Log,      // -log p  [ours, docs/departures.md]
+};
+
+// "default", "paper", "paper-log"; "printed", "log".
+const char* name(Preset preset);
+const char* name(ScoreForm form);
+
+// Section 2: which points may lie on the boundary.
+struct BoundaryOptions {
+  int k = 40;                  // neighbours in the test (section 4)
+  int sectors = 8;             // r in eq. (1): equal slices of [0, 2 pi) (section 4); wants k / sectors >= 5
+  double significance = 0.10;  // alpha: a point with p <= alpha is a candidate (section 4)
+};
+
+// Section 3: from candidates to the boundary.
+struct LoopOptions {
+  ScoreForm score_form = ScoreForm::Log;
+  int path_k = 40;                     // neighbours in Algorithm 3.1 (section 4; the paper's teapot wants 10)
+  int path_threshold = 0;              // least points of a closed path; 0 takes path_k + 1 (section 3.2)
+  double length_exponent = 0.9;        // of the number of points in eq. (3)
+  int population = 100;                // best paths that enter Algorithm 3.2
+  int generations = 100;               // K of Algorithm 3.2 (section 4)
+  double mutation_probability = 1e-4;  // per bit; the paper says "low"  [ours]
+  std::int64_t max_path_steps = 2'000'000'000;  // bound on neighbours looked at in Algorithm 3.1  [ours]
+};
+
+// Section 5: from the loop to the plane.
+struct ParameterizeOptions {
+  int map_k = 20;           // neighbours per interior point in eq. (4)  [ours; the paper gives none]
+  double residual = 1e-10;  // of the linear system, relative to its right-hand side
+};
+
+// Section 5: from the plane to the mesh.
+struct MeshOptions {
+  Point up = {0, 0, 1};  // the mesh faces this way on average, where the input has no normals
+};
+
+struct Options {
+  Preset preset = Preset::Default;
+  BoundaryOptions boundary;
+  LoopOptions loops;
+  ParameterizeOptions map;
+  MeshOptions mesh;
+};
+
+// The defaults of a preset.
+Options preset_options(Preset preset);
+
+// Throws BadOption, naming the option, its value and its range, where a field is out of range.
+void check_options(const Options& options);
+
+// One field of the options as the tool, the report and the docs see it. `name` has the spelling of C++
+// ("length_exponent"); the tool writes a dash for each underscore.
+template <class T>
+struct Field {
+  const char* name;
+  T& value;
+  T least, most;     // the range, both ends included (equal where T is not a number)
+  const char* help;  // one line: what it is, its unit, its source
+};
+
+// Calls visit(Field<T>) for each numeric field, T being int, std::int64_t or double, and
+// visit(Field<ScoreForm>) for the score's form. Names are unique over all structs.
+template <class AnyOptions, class Visit>
+void visit_fields(AnyOptions& o, Visit&& visit) {
+  constexpr double tiny = 1e-300;
+  constexpr std::int64_t huge = std::int64_t{1} << 62;
+  const auto field = [&visit]<class T>(const char* id, T& value, auto least, auto most, const char* help) {
+    using Value = std::remove_const_t<T>;
+    visit(Field<T>{id, value, static_cast<Value>(least), static_cast<Value>(most), help});
+  };
+  field("k", o.boundary.k, 3, 1000, "neighbours in the chi-square test (section 4)");
+  field("sectors", o.boundary.sectors, 2, 360, "r of eq. (1), equal slices of the circle (section 4)");
+  field("significance", o.boundary.significance, tiny, 1.0, "alpha: candidates have p <= alpha (section 4)");
+  field("score_form", o.loops.score_form, ScoreForm::Printed, ScoreForm::Printed,
+        "eq. (2) as printed (1/p), or its log");
+  field("path_k", o.loops.path_k, 1, 1000, "neighbours in Algorithm 3.1 (section 4)");
+  field("path_threshold", o.loops.path_threshold, 0, 1'000'000'000,
+        "least points of a closed path; 0 takes path_k + 1 (section 3.2)");
+  field("length_exponent", o.loops.length_exponent, 0.0, 2.0, "exponent of the length in eq. (3)");
+  field("population", o.loops.population, 1, 100'000, "chromosomes in Algorithm 3.2 (section 3.4)");
+  field("generations", o.loops.generations, 0, 1'000'000, "K of Algorithm 3.2 (section 4)");
+  field("mutation_probability", o.loops.mutation_probability, 0.0, 1.0, "per bit (section 3.1: low)");
+  field("max_path_steps", o.loops.max_path_steps, 1, huge, "bound on the work of Algorithm 3.1 [ours]");
+  field("map_k", o.map.map_k, 3, 1000, "neighbours per interior point in eq. (4) [ours]");
+  field("residual", o.map.residual, 1e-15, 1e-2, "relative residual of the solve of eq. (4)");
+}
+
+}  // namespace rimline

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The method from end to end.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rimline/mesh.h"
+#include "rimline/options.h"
+#include "rimline/points.h"
+#include "rimline/report.h"
+#include "rimline/run.h"
+
+namespace rimline {
+
+// All per-point results are in the order and ids of the input. Points that take no part (PointCounts) have
+// boundary 0, loop `none`, candidate 0, and NaN for numbers.
+struct BoundaryResult {
+  std::vector<std::uint8_t> boundary;   // 1 on a returned loop
+  std::vector<Index> loop;              // position in `loops`, or `none`
+  std::vector<std::uint8_t> candidate;  // 1 where p <= significance
+  std::vector<double> p_value;          // of the chi-square test, eq. (1)
+  std::vector<double> score;            // eq. (2) in the score form of the options
+  std::vector<Loop> loops;
+  Report report;
+};
+
+struct ParameterizeResult {
+  BoundaryResult boundary;
+  std::vector<UV> uv;
+};
+
+struct ReconstructResult {
+  BoundaryResult boundary;
+  std::vector<UV> uv;
+  std::vector<Triangle> triangles;
+};
+
+// What may come with the points; both may be empty.
+struct Given {
+  std::vector<Point> normals;  // one per point: the mesh faces the way most of them point
+  std::vector<Loop> loops;     // a boundary made by hand, used instead of finding one
+};
+
+// Sections 2 and 3. Throws BadOption, TooFewPoints, NoClosedLoop, Cancelled.
+BoundaryResult find_boundary(Points points, const Options& options, const Run& run, const Given& given = {});
+
+// Sections 2, 3 and 5 without the triangulation. Throws also UnreachableInterior, NoConvergence.
+ParameterizeResult parameterize(Points points, const Options& options, const Run& run,
+                                const Given& given = {});
+
+// The whole method. Throws as parameterize does.
+ReconstructResult reconstruct(Points points, const Options& options, const Run& run, const Given& given = {});
+
+}  // namespace rimline

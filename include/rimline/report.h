@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happened and what came out, as numbers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rimline/mesh.h"
+#include "rimline/options.h"
+#include "rimline/run.h"
+
+namespace rimline {
+
+// Why points of the input took no part.
+struct PointCounts {
+  std::size_t input = 0;
+  std::size_t used = 0;        // input less those below
+  std::size_t not_finite = 0;  // a coordinate is NaN or infinite
+  std::size_t duplicates = 0;  // the same coordinates as a point with a lower id
+  std::size_t stray = 0;       // in a group of fewer than ten points, apart from all others
+};
+
+// Distances between neighbours, in the unit of the input: over all used points, of local_spacing().
+struct SpacingSummary {
+  double mean = 0, least = 0, most = 0;
+  double low = 0, high = 0;  // the 5 % and 95 % quantiles
+};
+
+// The paper's assumptions, measured.
+struct AssumptionSummary {
+  double delta = 0;              // Assumption 2.4: the least lambda_2 / (lambda_1 + lambda_2 + lambda_3)
+  std::size_t below_delta = 0;   // points whose share is below 0.05  [ours]: nearly on a line
+  double points_per_sector = 0;  // k / r; section 2.3 wants at least 5
+  bool chi_square_valid = true;  // points_per_sector >= 5
+};
+
+// One generation of Algorithm 3.2. Fitness after eq. (3).
+struct Generation {
+  double best = 0, mean = 0;
+};
+
+// Algorithms 3.1 and 3.2.
+struct SearchSummary {
+  std::size_t starts = 0;          // candidates from which a path was sought
+  std::size_t closed_paths = 0;    // starts that found one
+  std::size_t distinct_paths = 0;  // after duplicates were dropped
+  std::int64_t steps = 0;          // neighbours looked at
+  bool bound_hit = false;          // max_path_steps ended the search before every candidate was a start
+  std::size_t winner_points = 0;   // bits set in the winning chromosome
+  std::size_t winner_rank = 0;     // 0: the best chromosome closed; else how many better ones did not
+  std::vector<Generation> history;
+};
+
+// The linear system of eq. (4).
+struct MapSummary {
+  std::size_t unknowns = 0;
+  int iterations = 0;   // 0 for a direct solve
+  double residual = 0;  // relative, the larger of u and v
+};
+
+// The mesh that came out, measured on its triangles alone.
+struct MeshSummary {
+  std::size_t triangles = 0;
+  std::size_t points_used = 0;  // vertices of at least one triangle
+  long long euler = 0;          // V - E + F over used vertices
+  std::size_t components = 0;
+  std::size_t boundary_loops = 0;
+  std::size_t boundary_edges = 0;
+  std::size_t nonmanifold_edges = 0;                  // with more than two triangles
+  std::size_t nonmanifold_vertices = 0;               // whose triangles form more than one fan
+  std::array<std::size_t, 12> min_angle_histogram{};  // triangles by least angle, in slices of 5 degrees
+  double area = 0;
+  std::size_t edges = 0;
+  std::size_t long_edges = 0;        // inner edges longer than 3 spacings (the larger of their ends')
+  std::size_t uv_flips = 0;          // triangles not counter-clockwise in uv
+  double mean_angle_distortion = 0;  // mean absolute difference of a corner's angle in 3D and in uv, radians
+};
+
+// What a stage took.
+struct StageCost {
+  Stage stage = Stage::Read;
+  double seconds = 0;
+  std::size_t peak_bytes = 0;  // resident memory at its highest while the stage ran
+};
+
+struct Report {
+  Options options;
+  std::uint64_t seed = 1;
+  PointCounts points;
+  SpacingSummary spacing;
+  AssumptionSummary assumptions;
+  std::size_t candidates = 0;
+  std::size_t undersampled = 0;  // candidates on no loop: the paper's map of undersampled regions
+  std::vector<Loop> loops;
+  SearchSummary search;
+  bool has_map = false;
+  MapSummary map;
+  bool has_mesh = false;
+  MeshSummary mesh;
+  std::vector<std::string> warnings;  // one sentence each, for people
+
+  int threads = 0;
+  std::vector<StageCost> stages;
+};
+
+// REPORT.json, docs/formats.md. All that may differ between two runs of the same input, options and seed
+// is in its object "run".
+std::string to_json(const Report& report);
+
+}  // namespace rimline
