@@ -154,6 +154,17 @@ TEST_CASE("bad options and given loops are refused with their names") {
   CHECK_THROWS_AS(find_boundary(disc.points, {}, {}, given), Error);
 }
 
+TEST_CASE("a warning is given where k / r is below 5") {
+  const auto disc = shapes::disc(14);
+  Options options = preset_options(Preset::PaperLog);
+  CHECK(find_boundary(disc.points, options, {}).report.warnings.empty());
+  options.boundary.sectors = 10;
+  const Report report = find_boundary(disc.points, options, {}).report;
+  CHECK_FALSE(report.assumptions.chi_square_valid);
+  CHECK(report.assumptions.points_per_sector == 4);
+  CHECK(report.warnings.size() == 1);
+}
+
 TEST_CASE("cancelling at the third report of a stage ends there") {
   const auto disc = shapes::disc(20, 0.4);
   std::atomic<bool> stop{false};
