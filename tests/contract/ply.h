@@ -39,9 +39,9 @@ struct Ply {
 };
 
 inline std::size_t ply_size(const std::string& type) {
-  static const std::map<std::string, std::size_t> sizes = {{"char", 1},  {"uchar", 1}, {"short", 2},
+  static const std::map<std::string, std::size_t> sizes = {{"char", 1},   {"uchar", 1}, {"short", 2},
                                                            {"ushort", 2}, {"int", 4},   {"uint", 4},
-                                                           {"float", 4}, {"double", 8}};
+                                                           {"float", 4},  {"double", 8}};
   return sizes.at(type);
 }
 

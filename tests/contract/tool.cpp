@@ -32,7 +32,8 @@ Pipe make_pipe() {
 
 Pipe make_terminal() {
   Pipe ends;
-  if (openpty(&ends.read_end, &ends.write_end, nullptr, nullptr, nullptr) != 0) throw std::runtime_error("pty");
+  if (openpty(&ends.read_end, &ends.write_end, nullptr, nullptr, nullptr) != 0)
+    throw std::runtime_error("pty");
   fcntl(ends.read_end, F_SETFD, FD_CLOEXEC);
   fcntl(ends.write_end, F_SETFD, FD_CLOEXEC);
   return ends;

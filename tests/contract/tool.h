@@ -12,13 +12,13 @@ namespace rimline::test {
 
 struct Call {
   std::vector<std::string> arguments;
-  std::string input = {};            // given on standard input, which then ends
-  bool keep_input_open = false;      // it does not end: the tool waits for more
-  bool terminal = false;             // standard error is a terminal
-  std::string output_to = {};        // standard output goes to this file instead of `Finished::out`
-  std::size_t memory = 0;            // bytes of address space, 0 for no limit
-  std::size_t file_size = 0;         // most bytes of any file, 0 for no limit
-  int signal = 0;                    // sent once, as soon as `signal_when` says so
+  std::string input = {};        // given on standard input, which then ends
+  bool keep_input_open = false;  // it does not end: the tool waits for more
+  bool terminal = false;         // standard error is a terminal
+  std::string output_to = {};    // standard output goes to this file instead of `Finished::out`
+  std::size_t memory = 0;        // bytes of address space, 0 for no limit
+  std::size_t file_size = 0;     // most bytes of any file, 0 for no limit
+  int signal = 0;                // sent once, as soon as `signal_when` says so
   std::function<bool(const std::string& err, bool input_taken)> signal_when = {};
 };
 

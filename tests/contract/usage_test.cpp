@@ -20,7 +20,9 @@ std::string dashed(std::string field) {
   return "--" + field;
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 // One line that begins as every message of the tool does.
 bool one_sentence(const std::string& text) {
@@ -81,7 +83,8 @@ TEST_CASE("a value out of range is refused in one sentence with flag, value, ran
   const rimline::Options options;
   for (const auto& name : method_subcommands) {
     rimline::visit_fields(options, [&](const auto& field) {
-      const Finished refused = rimline::test::rimline({name, "no.ply", "-o", "out.ply", dashed(field.name), "-7"});
+      const Finished refused =
+          rimline::test::rimline({name, "no.ply", "-o", "out.ply", dashed(field.name), "-7"});
       CAPTURE(refused.err);
       CHECK(refused.status == 1);
       CHECK(one_sentence(refused.err));
