@@ -22,6 +22,13 @@ void check_ending(const Output& output) {
     if (output.may_be_standard) return;
     throw Error(ErrorCode::BadOption, output.flag + " can not go to standard output; give it a file name");
   }
+  if (output.check != nullptr) {
+    try {
+      return output.check(output.path);
+    } catch (const Error& error) {
+      throw Error(error.code(), output.flag + " " + error.what());
+    }
+  }
   const auto& known = output.endings;
   if (std::find(known.begin(), known.end(), ending_of(output.path)) != known.end()) return;
   throw Error(ErrorCode::BadOption, fmt::format("{} wants a file name that ends in .{}, not '{}'",
