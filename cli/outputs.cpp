@@ -57,7 +57,7 @@ void check_outputs(const std::vector<Output>& outputs) {
     check_ending(output);
     if (output.path != "-") check_place(output);
     std::error_code ignored;
-    const fs::path whole = fs::weakly_canonical(output.path, ignored);
+    const fs::path whole = fs::weakly_canonical(fs::absolute(output.path, ignored), ignored);
     if (!places.insert(output.path == "-" ? "-" : whole.string()).second) {
       throw Error(ErrorCode::BadOption,
                   fmt::format("{} goes to '{}', and so does another output", output.flag, output.path));
