@@ -153,10 +153,9 @@ class Pipeline {
     }
     if (!out.empty()) {
       std::sort(out.begin(), out.end());
-      throw Error(ErrorCode::BadOption,
-                  fmt::format("{} points of the given loops take no part (duplicate, not finite or stray)",
-                              out.size()),
-                  std::move(out));
+      const std::string message = fmt::format(
+          "{} points of the given loops take no part (duplicate, not finite or stray)", out.size());
+      throw Error(ErrorCode::BadOption, message, std::move(out));
     }
     for (Loop& loop : loops_) {
       loop.length = loop_length(arrangement_.points, loop.points);

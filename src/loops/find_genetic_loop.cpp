@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <string>
+#include <utility>
 
 #include "loops/closed_paths.h"
 #include "loops/genetic.h"
@@ -16,11 +18,11 @@ namespace {
     if (scores.candidate[i]) ids.push_back(i);
   }
   const std::string bound = paths.bound_hit ? " within the bound on the work (max_path_steps)" : "";
-  throw Error(ErrorCode::NoClosedLoop,
-              ids.empty() ? "no closed loop: no point is a boundary candidate, so the surface may be closed"
-                          : "no closed loop: none of the " + std::to_string(paths.starts) +
-                                " boundary candidates starts a closed path" + bound,
-              std::move(ids));
+  const std::string message =
+      ids.empty() ? "no closed loop: no point is a boundary candidate, so the surface may be closed"
+                  : fmt::format("no closed loop: none of {} boundary candidates starts a closed path{}",
+                                paths.starts, bound);
+  throw Error(ErrorCode::NoClosedLoop, message, std::move(ids));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // After section 5 of Maes & Bultheel 2004 and Floater & Reimers, "Meshless parameterization and surface
 // reconstruction", Comp. Aided Geom. Design 18, 2001.
+#include <fmt/format.h>
+
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
@@ -8,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "map/reachable.h"
 #include "rimline/parameterize.h"
@@ -147,11 +150,11 @@ Solution solve(const System& system, double residual, const Run& run) {
 void check_reachable(const Neighbours& neighbours, int k, std::span<const Index> loop) {
   std::vector<Index> ids = unreachable_points(neighbours, k, loop);
   if (ids.empty()) return;
-  throw Error(
-      ErrorCode::UnreachableInterior,
-      std::to_string(ids.size()) + (ids.size() == 1 ? " interior point has" : " interior points have") +
-          " no chain of neighbours to the loop: the set may have several parts, or map_k is too small",
-      std::move(ids));
+  const std::string message = fmt::format(
+      "{} interior point{} no chain of neighbours to the loop: the set may have several parts, or "
+      "map_k is too small",
+      ids.size(), ids.size() == 1 ? " has" : "s have");
+  throw Error(ErrorCode::UnreachableInterior, message, std::move(ids));
 }
 
 }  // namespace
