@@ -64,8 +64,10 @@ class Refiner {
   }
 
   Patch refine() {
+    // Bad edges in so small a share do not pay for one more round.
+    const std::size_t tolerated = 3 * points_.size() / 10000;
     say("start");
-    map_neighbours();
+    map_neighbours(env("RL_STIFF", 1));
     Patch patch;
     Triangulation best;
     double least = 0;
@@ -88,7 +90,7 @@ class Refiner {
         least = quality.length;
         best = std::move(mesh);
       }
-      const bool last = !better || quality.bad == 0 || round + 1 == options_.rounds;
+      const bool last = !better || quality.bad <= tolerated || round + 1 == options_.rounds;
       embed_mesh(best, last, patch);
       say("embed");
       if (last) break;
@@ -102,13 +104,13 @@ class Refiner {
   const double rough = env("RL_ROUGH", 1e-6);  // residual of the maps that only lead to the next mesh
 
   // The first map: neighbours in the local Voronoi cells.
-  void map_neighbours() {
+  void map_neighbours(double stiffness) {
     const Stars stars = find_stars(points_, neighbours_, {}, {}, run_);
     say("stars");
     std::vector<char> fixed(uv_.size(), 0);
     for (const Index i : loops_.front().points) fixed[i] = 1;
     std::vector<WeightedEdge> edges = star_edges(stars);
-    add_wheels(loops_, static_cast<Index>(points_.size()), 1, edges);
+    add_wheels(loops_, static_cast<Index>(points_.size()), stiffness, edges);
     Graph g = make_graph(static_cast<Index>(uv_.size()), edges);
     if (!unreachable(g, fixed).empty()) {
       join_islands(neighbours_, fixed, edges);
