@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "rimline/points.h"
@@ -79,8 +80,8 @@ template <class T>
 struct Field {
   const char* name;
   T& value;
-  T least, most;     // the range, both ends included (equal where T is not a number)
-  const char* help;  // one line: what it is, its unit, its source
+  std::remove_const_t<T> least, most;  // the range, both ends included (equal where T is not a number)
+  const char* help;                    // one line: what it is, its unit, its source
 };
 
 // Calls visit(Field<T>) for each numeric field, T being int, std::int64_t or double, and

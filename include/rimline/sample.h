@@ -45,15 +45,20 @@ struct SampleOptions {
                           // nearest-neighbour distance
 };
 
-// The points in random order and their exact boundary.
+// The points in random order and their exact boundary. Noise moves points and changes nothing else.
 struct Sample {
   std::vector<Point> points;
   std::vector<std::uint8_t> boundary;  // 1 on a true loop
-  std::vector<Loop> loops;             // ordered, surface on the left, outer loops first
+  // 1 on a true loop and at interior points within half a spacing of the boundary curve; the spacing is
+  // 1 / sqrt(points per unit of area). Only Random has such interior points; elsewhere equal to `boundary`.
+  std::vector<std::uint8_t> near_boundary;
+  // Ordered, surface on the left, length without noise. The first is the outer one, the others are holes:
+  // of a pipe the lower rim is the outer one; where there is one loop it is outer.
+  std::vector<Loop> loops;
 };
 
-// The same options and seed give the same bytes. Throws BadOption where a sampling does not fit a shape or
-// n is too small for it.
+// The same options and seed give the same bytes. Throws BadOption where a sampling does not fit a shape, n is
+// not in 50 to 1e9, or n is too small for the shape's shortest loop; OutOfMemory.
 Sample sample(const SampleOptions& options, const Run& run);
 
 }  // namespace rimline

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rimline/refine.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -19,23 +15,6 @@
 
 namespace rimline {
 namespace {
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-double env(const char* n, double d) {
-  const char* s = getenv(n);
-  return s ? atof(s) : d;
-}
-void say(const char* what) {
-  static double last = now();
-  static clock_t lc = clock();
-  double t = now();
-  clock_t c = clock();
-  if (getenv("RL_T"))
-    fprintf(stderr, "  %-12s wall %.3f cpu %.3f\n", what, t - last, double(c - lc) / CLOCKS_PER_SEC);
-  last = now();
-  lc = clock();
-}
 
 // The loop on the unit circle, by chord length (section 5), counter-clockwise.
 void place_on_circle(Points points, const std::vector<Index>& loop, std::vector<UV>& uv) {
@@ -66,80 +45,72 @@ class Refiner {
   Patch refine() {
     // Bad edges in so small a share do not pay for one more round.
     const std::size_t tolerated = 3 * points_.size() / 10000;
-    say("start");
-    map_neighbours(env("RL_STIFF", 1));
     Patch patch;
-    Triangulation best;
-    double least = 0;
+    double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < options_.rounds; ++round) {
       run_.progress(Stage::Refine, round, options_.rounds);
-      Triangulation mesh = triangulate();
-      say("triangulate");
-      RefineRound summary{flip_edges(points_, mesh, run_), 0, 0};
+      Triangulation mesh = round == 0 ? triangulate_first() : triangulate();
+      const std::size_t flips = flip_edges(points_, mesh, run_);
       const EdgeQuality quality = edge_quality(points_, mesh, spacing_);
-      say("flip");
-      summary.bad_edges = quality.bad;
-      summary.length = quality.length;
-      patch.rounds.push_back(summary);
-      if (getenv("RL_T"))
-        fprintf(stderr, "   round %d flips %zu bad %zu length %.9g\n", round, summary.flips,
-                summary.bad_edges, summary.length);
-      // A better mesh has the shorter edges; a thousandth of a percent is no progress.
-      const bool better = round == 0 || quality.length < least * (1 - 1e-5);
+      patch.rounds.push_back({flips, quality.bad, quality.length});
+      // Of two meshes over the same points the one of shorter edges is better; less is no progress.
+      constexpr double progress = 1e-5;
+      const bool better = quality.length < least * (1 - progress);
       if (better) {
         least = quality.length;
-        best = std::move(mesh);
+        mesh_ = std::move(mesh);
       }
-      const bool last = !better || quality.bad <= tolerated || round + 1 == options_.rounds;
-      embed_mesh(best, last, patch);
-      say("embed");
-      if (last) break;
+      if (!better || quality.bad <= tolerated || round + 1 == options_.rounds) break;
+      embed(points_, mesh_, loops_, rough, 0, uv_, run_);
     }
+    constexpr int repairs = 8;
+    const Embedding embedding = embed(points_, mesh_, loops_, options_.residual, repairs, uv_, run_);
+    patch.map = embedding.map;
+    patch.uv_flips = embedding.flips;
+    patch.evened = embedding.evened;
     patch.uv.assign(uv_.begin(), uv_.begin() + static_cast<std::ptrdiff_t>(points_.size()));
-    patch.triangles = std::move(best.triangles);
+    patch.triangles = std::move(mesh_.triangles);
     return patch;
   }
 
  private:
-  const double rough = env("RL_ROUGH", 1e-6);  // residual of the maps that only lead to the next mesh
+  static constexpr double rough = 1e-6;  // residual of the maps that only lead to the next mesh
 
-  // The first map: neighbours in the local Voronoi cells.
-  void map_neighbours(double stiffness) {
+  // The first map knows neighbours only, and rims may cross in it: then once more, the rims stiffer.
+  Triangulation triangulate_first() {
     const Stars stars = find_stars(points_, neighbours_, {}, {}, run_);
-    say("stars");
-    std::vector<char> fixed(uv_.size(), 0);
+    for (const double stiffness : {1.0, 10.0, 100.0}) {
+      map_neighbours(stars, stiffness);
+      try {
+        return triangulate();
+      } catch (const Error& error) {
+        if (error.code() != ErrorCode::NotADisc || stiffness == 100 || loops_.size() == 1) throw;
+      }
+    }
+    return {};
+  }
+
+  // eq. (4) with the local Voronoi cells as neighbourhoods.
+  void map_neighbours(const Stars& stars, double stiffness) {
+    const Index nodes = static_cast<Index>(uv_.size());
+    std::vector<char> fixed(nodes, 0);
     for (const Index i : loops_.front().points) fixed[i] = 1;
     std::vector<WeightedEdge> edges = star_edges(stars);
     add_wheels(loops_, static_cast<Index>(points_.size()), stiffness, edges);
-    Graph g = make_graph(static_cast<Index>(uv_.size()), edges);
-    if (!unreachable(g, fixed).empty()) {
+    Graph graph = make_graph(nodes, edges);
+    if (!unreachable(graph, fixed).empty()) {
       join_islands(neighbours_, fixed, edges);
-      g = make_graph(static_cast<Index>(uv_.size()), edges);
+      graph = make_graph(nodes, edges);
     }
-    say("graph");
-    auto r = solve_map(g, fixed, rough, uv_, run_);
-    say("solve");
-    if (getenv("RL_T")) fprintf(stderr, "   it %d res %g\n", r.iterations, r.residual);
+    solve_map(graph, fixed, rough, uv_, run_);
   }
 
   Triangulation triangulate() {
     std::vector<Triangle> triangles = constrained_delaunay(std::span(uv_).first(points_.size()), loops_);
-    say("delaunay");
     Triangulation mesh = triangulation_of(std::move(triangles), static_cast<Index>(points_.size()));
     const std::vector<Index> missing = insert_missing(points_, neighbours_, mesh);
-    if (!missing.empty()) throw Error(ErrorCode::NotADisc, "points far from the mesh", missing);
+    if (!missing.empty()) throw Error(ErrorCode::NotADisc, "points lie apart from the mesh", missing);
     return mesh;
-  }
-
-  void embed_mesh(const Triangulation& mesh, bool last, Patch& patch) {
-    const Embedding embedding =
-        embed(points_, mesh, loops_, last ? options_.residual : rough, last ? 8 : 0, uv_, run_);
-    patch.map = embedding.map;
-    patch.uv_flips = embedding.flips;
-    patch.evened = embedding.evened;
-    if (getenv("RL_T"))
-      fprintf(stderr, "   embed it %d res %g flips %zu evened %zu\n", embedding.map.iterations,
-              embedding.map.residual, embedding.flips, embedding.evened);
   }
 
   Points points_;
@@ -149,6 +120,7 @@ class Refiner {
   const Run& run_;
   std::vector<double> spacing_;
   std::vector<UV> uv_;  // points, then the centres of the holes
+  Triangulation mesh_;  // the best so far
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/triangulation.h"
+#include "rimline/run.h"
 
 namespace rimline {
 

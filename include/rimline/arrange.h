@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The door: what the stages are given is finite, distinct, near the origin and in an order that memory likes.
+#pragma once
+
+#include <vector>
+
+#include "rimline/neighbours.h"
+#include "rimline/points.h"
+#include "rimline/run.h"
+
+namespace rimline {
+
+// The points that take part, along a Morton curve. The order depends on the coordinates alone, so permuting
+// the input changes nothing after this stage but the ids it is translated back to.
+struct Arrangement {
+  std::vector<Point> points;      // finite, distinct; the input's less `origin`
+  std::vector<Index> ids;         // points[i] is the input's point ids[i]
+  Point origin;                   // the centre of the bounding box of the finite points
+  std::vector<Index> not_finite;  // input ids, ascending
+  std::vector<Index> duplicates;  // input ids, ascending; the lowest id of each place is kept
+  std::vector<Index> stray;       // input ids, ascending; filled by leave_out_stray()
+};
+
+// Throws TooFewPoints where no finite point is left.
+Arrangement arrange(Points input, const Run& run);
+
+// Finds the groups of the mutual k-nearest graph (each of two points in the other's list) that have fewer
+// than `least_group` points, and takes them out of the arrangement. Returns whether there were any: the
+// neighbours must then be found again.  [ours: the paper assumes a clean sample]
+bool leave_out_stray(Arrangement& arrangement, const Neighbours& neighbours, int least_group = 10);
+
+}  // namespace rimline

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The law that eq. (1) tends to.
+#pragma once
+
+namespace rimline {
+
+// -log Pr(X >= statistic) for X chi-square distributed with `degrees` >= 1 degrees of freedom. Natural
+// logarithm; finite for every finite statistic >= 0, also where the probability is below the least double.
+double negative_log_survival(double statistic, int degrees);
+
+}  // namespace rimline

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "boundary/chi_square.h"
+#include "boundary/neighbourhood.h"
+#include "boundary/sectors.h"
+#include "parallel.h"
+#include "rimline/boundary.h"
+
+namespace rimline {
+namespace {
+
+// Eq. (1) depends on the counts only through the sum of their squares, a whole number: the statistic is
+// r / k times it, less k. So p-values come from a table with one entry for each sum that can occur.
+std::vector<double> log_score_table(int k, int sectors) {
+  std::vector<double> table(static_cast<std::size_t>(k) * k + 1);
+  for (std::size_t squares = 0; squares < table.size(); ++squares) {
+    const double statistic = static_cast<double>(sectors) * static_cast<double>(squares) / k - k;
+    table[squares] = negative_log_survival(statistic, sectors - 1);
+  }
+  return table;
+}
+
+std::size_t sum_of_squares(const std::vector<int>& counts) {
+  std::size_t sum = 0;
+  for (const int count : counts) sum += static_cast<std::size_t>(count) * count;
+  return sum;
+}
+
+}  // namespace
+
+BoundaryScores score_boundary(Points points, const Neighbours& neighbours, const BoundaryOptions& options,
+                              const Run& run) {
+  const int k = std::min(options.k, neighbours.k);
+  if (k < 3) {
+    throw Error(ErrorCode::TooFewPoints, "the boundary test needs at least 4 distinct points, there are " +
+                                             std::to_string(points.size()));
+  }
+  const std::vector<double> log_score_of = log_score_table(k, options.sectors);
+  const double log_significance = -std::log(options.significance);
+  BoundaryScores result;
+  result.log_score.resize(points.size());
+  result.candidate.resize(points.size());
+  result.delta.resize(points.size());
+  parallel_slices(points.size(), Stage::Boundary, run, [&](std::size_t begin, std::size_t end) {
+    std::vector<UV> image;
+    std::vector<int> counts;
+    for (Index i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i) {
+      const auto nearest = neighbours.of(i, k);
+      const Covariance shape = covariance(points, nearest);
+      flatten(points, i, nearest, shape, image);
+      count_sectors(image, options.sectors, counts);
+      result.log_score[i] = log_score_of[sum_of_squares(counts)];
+      result.candidate[i] = result.log_score[i] >= log_significance;
+      result.delta[i] = static_cast<float>(shape.delta());
+    }
+  });
+  return result;
+}
+
+double p_value(double log_score) { return std::exp(-log_score); }
+
+double score(double log_score, ScoreForm form) {
+  if (form == ScoreForm::Log) return log_score;
+  return std::min(std::exp(log_score), std::numeric_limits<double>::max());
+}
+
+}  // namespace rimline

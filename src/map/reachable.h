@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether eq. (4) has one solution.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rimline/neighbours.h"
+
+namespace rimline {
+
+// Ids of the points, ascending, from which no chain of neighbours (each among the nearest `k` of the one
+// before) leads to a point of the loop.
+std::vector<Index> unreachable_points(const Neighbours& neighbours, int k, std::span<const Index> loop);
+
+}  // namespace rimline

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/options.h"
+
+#include <fmt/format.h>
+
+#include "rimline/run.h"
+
+namespace rimline {
+
+const char* name(Preset preset) {
+  switch (preset) {
+    case Preset::Default: return "default";
+    case Preset::Paper: return "paper";
+    case Preset::PaperLog: return "paper-log";
+  }
+  return "?";
+}
+
+const char* name(ScoreForm form) { return form == ScoreForm::Printed ? "printed" : "log"; }
+
+Options preset_options(Preset preset) {
+  Options options;
+  options.preset = preset;
+  options.loops.score_form = preset == Preset::Paper ? ScoreForm::Printed : ScoreForm::Log;
+  return options;
+}
+
+void check_options(const Options& options) {
+  visit_fields(options, []<class T>(const Field<T>& field) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      if (field.value >= field.least && field.value <= field.most) return;  // false for NaN too
+      throw Error(ErrorCode::BadOption, fmt::format("{} is {}; it must lie between {} and {}", field.name,
+                                                    field.value, field.least, field.most));
+    }
+  });
+  if (!is_finite(options.mesh.up) || norm(options.mesh.up) == 0) {
+    throw Error(ErrorCode::BadOption, "up must be a finite vector other than zero");
+  }
+}
+
+}  // namespace rimline

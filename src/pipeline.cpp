@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/pipeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "parallel.h"
+#include "rimline/arrange.h"
+#include "rimline/boundary.h"
+#include "rimline/loops.h"
+#include "rimline/measure.h"
+#include "rimline/neighbours.h"
+#include "rimline/parameterize.h"
+#include "rimline/triangulate.h"
+#include "stage_clock.h"
+
+namespace rimline {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// One run of the method over one input. The members are the results of the stages in their order, in the ids
+// of the arrangement; what leaves is translated to the ids of the input.
+class Pipeline {
+ public:
+  Pipeline(Points input, const Options& options, const Run& run, const Given& given)
+      : input_(input), options_(options), run_(run), given_(given) {
+    check_options(options);
+    check_given();
+  }
+
+  BoundaryResult boundary() {
+    find_loops();
+    return boundary_result();
+  }
+  ParameterizeResult parameterize() {
+    find_loops();
+    map();
+    ParameterizeResult result;
+    result.uv = uv_of_input();
+    result.boundary = boundary_result();
+    return result;
+  }
+  ReconstructResult reconstruct() {
+    find_loops();
+    map();
+    mesh();
+    ReconstructResult result;
+    result.uv = uv_of_input();
+    result.triangles = triangles_of_input();
+    result.boundary = boundary_result();
+    return result;
+  }
+
+ private:
+  void check_given() const {
+    if (!given_.normals.empty() && given_.normals.size() != input_.size()) {
+      throw Error(ErrorCode::BadOption, "there must be one normal per point, or none");
+    }
+    for (const Loop& loop : given_.loops) {
+      for (const Index id : loop.points) {
+        if (id < 0 || id >= static_cast<Index>(input_.size())) {
+          throw Error(ErrorCode::BadOption, "a given loop names a point that the input does not have", {id});
+        }
+      }
+    }
+  }
+
+  // Errors of the stages name points of the arrangement; users know those of their file.
+  template <class Body>
+  auto translate_errors(const Body& body) const {
+    try {
+      return body();
+    } catch (const Error& error) {
+      std::vector<Index> ids;
+      for (const Index id : error.ids()) ids.push_back(arrangement_.ids[id]);
+      std::sort(ids.begin(), ids.end());
+      throw Error(error.code(), error.what(), std::move(ids));
+    }
+  }
+
+  int most_neighbours() const {
+    return std::max({options_.boundary.k, options_.loops.path_k, options_.map.map_k, 6});
+  }
+
+  void prepare() {
+    clock_.enter(Stage::Arrange);
+    arrangement_ = arrange(input_, run_);
+    clock_.enter(Stage::Neighbours);
+    neighbours_ = find_neighbours(arrangement_.points, most_neighbours(), run_);
+    if (leave_out_stray(arrangement_, neighbours_)) {
+      neighbours_ = find_neighbours(arrangement_.points, most_neighbours(), run_);
+    }
+    spacing_ = local_spacing(neighbours_);
+    report_.points = {input_.size(), arrangement_.points.size(), arrangement_.not_finite.size(),
+                      arrangement_.duplicates.size(), arrangement_.stray.size()};
+    report_.spacing = summarize_spacing(spacing_);
+  }
+
+  void find_loops() {
+    prepare();
+    clock_.enter(Stage::Boundary);
+    scores_ = score_boundary(arrangement_.points, neighbours_, options_.boundary, run_);
+    report_assumptions();
+    clock_.enter(Stage::Loops);
+    if (given_.loops.empty()) {
+      GeneticLoop found = translate_errors(
+          [&] { return find_genetic_loop(arrangement_.points, neighbours_, scores_, options_.loops, run_); });
+      report_.search = std::move(found.search);
+      loops_ = {std::move(found.loop)};
+    } else {
+      take_given_loops();
+    }
+    if (report_.search.bound_hit) {
+      report_.warnings.push_back(fmt::format(
+          "the search for closed paths stopped at its bound of {} steps after {} of {} candidates; raise "
+          "max_path_steps to search them all",
+          options_.loops.max_path_steps, report_.search.starts, report_.candidates));
+    }
+  }
+
+  void report_assumptions() {
+    AssumptionSummary& a = report_.assumptions;
+    a.delta = *std::min_element(scores_.delta.begin(), scores_.delta.end());
+    a.below_delta =
+        std::count_if(scores_.delta.begin(), scores_.delta.end(), [](float d) { return d < 0.05f; });
+    const int k = std::min(options_.boundary.k, neighbours_.k);
+    a.points_per_sector = static_cast<double>(k) / options_.boundary.sectors;
+    a.chi_square_valid = a.points_per_sector >= 5;
+    if (!a.chi_square_valid) {
+      report_.warnings.push_back(
+          fmt::format("{} neighbours over {} sectors are {:.3g} a sector; the chi-square law wants at least "
+                      "5 (section 2.3)",
+                      k, options_.boundary.sectors, a.points_per_sector));
+    }
+    report_.candidates = std::count(scores_.candidate.begin(), scores_.candidate.end(), 1);
+  }
+
+  // Loops made by hand come in ids of the input. A point that takes no part can not be on one.
+  void take_given_loops() {
+    std::vector<Index> arranged(input_.size(), none);
+    for (std::size_t i = 0; i < arrangement_.ids.size(); ++i)
+      arranged[arrangement_.ids[i]] = static_cast<Index>(i);
+    std::vector<Index> out;
+    loops_ = given_.loops;
+    for (Loop& loop : loops_) {
+      for (Index& id : loop.points) {
+        if (arranged[id] == none) out.push_back(id);
+        id = arranged[id];
+      }
+    }
+    if (!out.empty()) {
+      std::sort(out.begin(), out.end());
+      const std::string message = fmt::format(
+          "{} points of the given loops take no part (duplicate, not finite or stray)", out.size());
+      throw Error(ErrorCode::BadOption, message, std::move(out));
+    }
+    for (Loop& loop : loops_) {
+      loop.length = loop_length(arrangement_.points, loop.points);
+      loop.fitness = fitness(loop.points, scores_, options_.loops);
+    }
+  }
+
+  // The loop that becomes the rim of the disc: the longest outer one. Others are filled (section 6).
+  Loop& rim() {
+    return *std::max_element(loops_.begin(), loops_.end(), [](const Loop& a, const Loop& b) {
+      return std::pair(a.kind == LoopKind::Outer, a.length) < std::pair(b.kind == LoopKind::Outer, b.length);
+    });
+  }
+
+  void map() {
+    clock_.enter(Stage::Parameterize);
+    DiscMap found = translate_errors(
+        [&] { return map_to_disc(arrangement_.points, neighbours_, rim().points, options_.map, run_); });
+    uv_ = std::move(found.uv);
+    report_.has_map = true;
+    report_.map = found.summary;
+  }
+
+  void mesh() {
+    clock_.enter(Stage::Triangulate);
+    triangles_ = delaunay(uv_, run_);
+    std::vector<Point> normals;
+    if (!given_.normals.empty()) {
+      for (const Index id : arrangement_.ids) normals.push_back(given_.normals[id]);
+    }
+    if (orient_mesh(arrangement_.points, triangles_, normals, options_.mesh.up)) {
+      // Seen from the side it faces, the map is mirrored too: triangles stay counter-clockwise in uv, and the
+      // loops keep the surface on their left.
+      for (UV& p : uv_) p.v = -p.v;
+      for (Loop& loop : loops_) std::reverse(loop.points.begin() + 1, loop.points.end());
+    }
+    clock_.enter(Stage::Measure);
+    report_.has_mesh = true;
+    report_.mesh = measure_mesh(arrangement_.points, triangles_, spacing_, uv_);
+    if (report_.mesh.points_used < arrangement_.points.size()) {
+      report_.warnings.push_back(fmt::format("{} points fell on others in the plane and are in no triangle",
+                                             arrangement_.points.size() - report_.mesh.points_used));
+    }
+  }
+
+  std::vector<UV> uv_of_input() const {
+    std::vector<UV> uv(input_.size(), UV{nan, nan});
+    for (std::size_t i = 0; i < uv_.size(); ++i) uv[arrangement_.ids[i]] = uv_[i];
+    return uv;
+  }
+
+  std::vector<Triangle> triangles_of_input() const {
+    std::vector<Triangle> triangles = triangles_;
+    for (Triangle& t : triangles) {
+      for (Index& id : t) id = arrangement_.ids[id];
+    }
+    return triangles;
+  }
+
+  BoundaryResult boundary_result() {
+    const std::size_t n = input_.size();
+    BoundaryResult result{std::vector<std::uint8_t>(n, 0),
+                          std::vector<Index>(n, none),
+                          std::vector<std::uint8_t>(n, 0),
+                          std::vector<double>(n, nan),
+                          std::vector<double>(n, nan),
+                          {},
+                          {}};
+    for (std::size_t i = 0; i < arrangement_.ids.size(); ++i) {
+      const Index id = arrangement_.ids[i];
+      result.candidate[id] = scores_.candidate[i];
+      result.p_value[id] = p_value(scores_.log_score[i]);
+      result.score[id] = score(scores_.log_score[i], options_.loops.score_form);
+    }
+    for (Loop& loop : loops_) {
+      for (Index& id : loop.points) id = arrangement_.ids[id];
+    }
+    mark_loops(result);
+    report_.undersampled = 0;
+    for (std::size_t i = 0; i < n; ++i) report_.undersampled += result.candidate[i] && !result.boundary[i];
+    clock_.leave();
+    report_.options = options_;
+    report_.seed = run_.seed;
+    report_.loops = loops_;
+    report_.threads = thread_count(run_);
+    report_.stages = clock_.costs();
+    result.loops = std::move(loops_);
+    result.report = std::move(report_);
+    return result;
+  }
+
+  // A point that two loops share carries the id of the longer one.
+  void mark_loops(BoundaryResult& result) const {
+    for (Index l = 0; l < static_cast<Index>(loops_.size()); ++l) {
+      for (const Index id : loops_[l].points) {
+        result.boundary[id] = 1;
+        Index& mark = result.loop[id];
+        if (mark == none || loops_[mark].length < loops_[l].length) mark = l;
+      }
+    }
+  }
+
+  Points input_;
+  const Options& options_;
+  const Run& run_;
+  const Given& given_;
+  Report report_;
+  StageClock clock_;
+
+  Arrangement arrangement_;
+  Neighbours neighbours_;
+  std::vector<double> spacing_;
+  BoundaryScores scores_;
+  std::vector<Loop> loops_;
+  std::vector<UV> uv_;
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace
+
+BoundaryResult find_boundary(Points points, const Options& options, const Run& run, const Given& given) {
+  return Pipeline(points, options, run, given).boundary();
+}
+
+ParameterizeResult parameterize(Points points, const Options& options, const Run& run, const Given& given) {
+  return Pipeline(points, options, run, given).parameterize();
+}
+
+ReconstructResult reconstruct(Points points, const Options& options, const Run& run, const Given& given) {
+  return Pipeline(points, options, run, given).reconstruct();
+}
+
+}  // namespace rimline

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "rimline/version.h"
+
+namespace rimline {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json options_json(const Options& options) {
+  Json json;
+  json["preset"] = name(options.preset);
+  visit_fields(options, [&json]<class T>(const Field<T>& field) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      json[field.name] = field.value;
+    } else {
+      json[field.name] = name(field.value);
+    }
+  });
+  json["up"] = {options.mesh.up.x, options.mesh.up.y, options.mesh.up.z};
+  return json;
+}
+
+Json loops_json(const std::vector<Loop>& loops) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    json.push_back({{"id", i},
+                    {"kind", name(loops[i].kind)},
+                    {"points", loops[i].points.size()},
+                    {"length", loops[i].length},
+                    {"fitness", loops[i].fitness}});
+  }
+  return json;
+}
+
+Json search_json(const SearchSummary& search) {
+  Json best = Json::array(), mean = Json::array();
+  for (const Generation& g : search.history) {
+    best.push_back(g.best);
+    mean.push_back(g.mean);
+  }
+  return {{"starts", search.starts},
+          {"closed_paths", search.closed_paths},
+          {"distinct_paths", search.distinct_paths},
+          {"steps", search.steps},
+          {"bound_hit", search.bound_hit},
+          {"winner_points", search.winner_points},
+          {"winner_rank", search.winner_rank},
+          {"best_fitness", best},
+          {"mean_fitness", mean}};
+}
+
+Json mesh_json(const MeshSummary& mesh) {
+  return {{"triangles", mesh.triangles},
+          {"points_used", mesh.points_used},
+          {"edges", mesh.edges},
+          {"euler_number", mesh.euler},
+          {"components", mesh.components},
+          {"boundary_loops", mesh.boundary_loops},
+          {"boundary_edges", mesh.boundary_edges},
+          {"nonmanifold_edges", mesh.nonmanifold_edges},
+          {"nonmanifold_vertices", mesh.nonmanifold_vertices},
+          {"min_angle_histogram_5_degrees", mesh.min_angle_histogram},
+          {"edges_longer_than_3_spacings", mesh.long_edges},
+          {"area", mesh.area},
+          {"uv_flips", mesh.uv_flips},
+          {"mean_angle_distortion", mesh.mean_angle_distortion}};
+}
+
+Json run_json(const Report& report) {
+  Json stages = Json::array();
+  double seconds = 0;
+  std::size_t peak = 0;
+  for (const StageCost& cost : report.stages) {
+    stages.push_back(
+        {{"stage", name(cost.stage)}, {"seconds", cost.seconds}, {"peak_bytes", cost.peak_bytes}});
+    seconds += cost.seconds;
+    peak = std::max(peak, cost.peak_bytes);
+  }
+  return {{"threads", report.threads}, {"seconds", seconds}, {"peak_bytes", peak}, {"stages", stages}};
+}
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+  Json json;
+  json["schema"] = 1;
+  json["version"] = version;
+  json["options"] = options_json(report.options);
+  json["seed"] = report.seed;
+  json["points"] = {{"input", report.points.input},
+                    {"used", report.points.used},
+                    {"not_finite", report.points.not_finite},
+                    {"duplicates", report.points.duplicates},
+                    {"stray", report.points.stray}};
+  json["spacing"] = {{"mean", report.spacing.mean},
+                     {"least", report.spacing.least},
+                     {"quantile_05", report.spacing.low},
+                     {"quantile_95", report.spacing.high},
+                     {"most", report.spacing.most}};
+  json["assumptions"] = {{"delta", report.assumptions.delta},
+                         {"points_below_delta_0.05", report.assumptions.below_delta},
+                         {"points_per_sector", report.assumptions.points_per_sector},
+                         {"chi_square_valid", report.assumptions.chi_square_valid}};
+  json["candidates"] = report.candidates;
+  json["undersampled"] = report.undersampled;
+  json["loops"] = loops_json(report.loops);
+  json["search"] = search_json(report.search);
+  if (report.has_map) {
+    json["map"] = {{"unknowns", report.map.unknowns},
+                   {"iterations", report.map.iterations},
+                   {"residual", report.map.residual}};
+  }
+  if (report.has_mesh) json["mesh"] = mesh_json(report.mesh);
+  json["warnings"] = report.warnings;
+  json["run"] = run_json(report);
+  return json.dump(1) + "\n";
+}
+
+}  // namespace rimline

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each stage of a pipeline takes.
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "rimline/report.h"
+
+namespace rimline {
+
+// Call enter() at the start of each stage and leave() after the last. A stage entered twice adds up.
+class StageClock {
+ public:
+  void enter(Stage stage);
+  void leave();
+  const std::vector<StageCost>& costs() const { return costs_; }
+
+ private:
+  std::vector<StageCost> costs_;
+  bool running_ = false;
+  Stage stage_ = Stage::Read;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace rimline

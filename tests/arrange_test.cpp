@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/arrange.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "random.h"
+#include "shapes.h"
+
+namespace rimline {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<Point> random_points(int count, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Point> points(count);
+  for (Point& p : points) p = {random.uniform(), random.uniform(), random.uniform()};
+  return points;
+}
+
+TEST_CASE("points with a coordinate that is no number, and later duplicates, are left out and named") {
+  const std::vector<Point> points{
+      {1, 2, 3}, {nan, 0, 0}, {4, 5, 6}, {1, 2, 3}, {0, std::numeric_limits<double>::infinity(), 0}};
+  const Arrangement a = arrange(points, {});
+  CHECK(a.points.size() == 2);
+  CHECK(a.not_finite == std::vector<Index>{1, 4});
+  CHECK(a.duplicates == std::vector<Index>{3});
+}
+
+TEST_CASE("every id appears once and the points are the input's less the origin") {
+  const auto points = random_points(1000, 3);
+  const Arrangement a = arrange(points, {});
+  std::vector<Index> ids = a.ids;
+  std::sort(ids.begin(), ids.end());
+  for (Index i = 0; i < 1000; ++i) CHECK(ids[i] == i);
+  for (Index i = 0; i < 1000; ++i) CHECK(distance(a.points[i] + a.origin, points[a.ids[i]]) < 1e-15);
+}
+
+TEST_CASE("permuting the input does not change the arranged points") {
+  const auto points = random_points(1000, 4);
+  auto permuted = points;
+  Random(9).shuffle(permuted);
+  CHECK(arrange(points, {}).points == arrange(permuted, {}).points);
+}
+
+TEST_CASE("points next to each other on the curve are near each other in space") {
+  const auto points = random_points(20'000, 5);
+  const Arrangement a = arrange(points, {});
+  double arranged = 0, given = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    arranged += distance(a.points[i], a.points[i - 1]);
+    given += distance(points[i], points[i - 1]);
+  }
+  CHECK(arranged < given / 10);
+}
+
+TEST_CASE("a lonely point and a group of five, far away, are stray; a group of twelve is not") {
+  auto points = shapes::disc(14).points;
+  const Index first = static_cast<Index>(points.size());
+  points.push_back({30, 0, 0});
+  for (int i = 0; i < 5; ++i) points.push_back({0, 40 + 0.01 * i, 0.01 * i * i});
+  for (int i = 0; i < 12; ++i) points.push_back({-50 + 0.01 * i, 0, 0.01 * i * i});
+  Arrangement a = arrange(points, {});
+  CHECK(leave_out_stray(a, find_neighbours(a.points, 10, {})));
+  CHECK(a.stray == std::vector<Index>{first, first + 1, first + 2, first + 3, first + 4, first + 5});
+  CHECK(a.points.size() == points.size() - 6);
+}
+
+TEST_CASE("a clean disc has no stray points") {
+  Arrangement a = arrange(shapes::disc(14).points, {});
+  CHECK_FALSE(leave_out_stray(a, find_neighbours(a.points, 40, {})));
+}
+
+TEST_CASE("coordinates whose sum overflows are still arranged") {
+  const Arrangement a = arrange(std::vector<Point>{{1.7e308, 0, 0}, {1.6e308, 1, 0}, {1.65e308, 0, 1}}, {});
+  CHECK(a.points.size() == 3);
+  for (const Point& p : a.points) CHECK(is_finite(p));
+}
+
+TEST_CASE("nothing but numbers that are none throws") {
+  CHECK_THROWS_AS(arrange(std::vector<Point>{{nan, 0, 0}}, {}), Error);
+  CHECK_THROWS_AS(arrange(std::vector<Point>{}, {}), Error);
+}
+
+}  // namespace
+}  // namespace rimline
