@@ -40,6 +40,19 @@ void parallel_slices(std::size_t count, Stage stage, const Run& run, const Body&
   run.progress(stage, count, count);
 }
 
+// Calls body(k) for every k in [0, count): few tasks, each long enough for a thread of its own.
+template <class Body>
+void parallel_tasks(std::size_t count, Stage stage, const Run& run, const Body& body) {
+  run.progress(stage, 0, count);
+  tbb::task_arena arena(thread_count(run));
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+      if (!run.cancelled()) body(k);
+    });
+  });
+  run.progress(stage, count, count);
+}
+
 // Calls body(i) for every i in [0, count).
 template <class Body>
 void parallel_for_each(std::size_t count, Stage stage, const Run& run, const Body& body) {
