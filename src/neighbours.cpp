@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <string>
 
-#include "large_pages.h"
 #include "neighbours/kd_tree.h"
 #include "neighbours/leaf_search.h"
 #include "parallel.h"
@@ -25,8 +24,8 @@ Neighbours find_neighbours(Points points, int k, const Run& run) {
   run.progress(Stage::Neighbours, 0, points.size());
   Neighbours result;
   result.k = static_cast<int>(std::min<std::size_t>(k, points.size() - 1));
-  resize_in_large_pages(result.ids, points.size() * result.k);
-  resize_in_large_pages(result.distance, points.size() * result.k);
+  result.ids.resize(points.size() * result.k);
+  result.distance.resize(points.size() * result.k);
   const KdTree tree(points, points_in_leaf, run);
   parallel_slices(
       tree.leaf_count(), Stage::Neighbours, run,
