@@ -28,7 +28,8 @@ struct Column {
   double value(Index point) const;
 };
 
-// Makes a column from numbers of the type that `T` stands for (int, float, double, std::uint8_t, ...).
+// Makes a column from numbers: T is one of std::int8_t, uint8_t, int16_t, uint16_t, int32_t, uint32_t, float
+// and double.
 template <class T>
 Column make_column(std::string name, const std::vector<T>& values);
 
@@ -42,5 +43,8 @@ struct Cloud {
   // One normal per point from the columns nx, ny, nz; empty where the cloud has none.
   std::vector<Point> normals() const;
 };
+
+// Appends the column, or puts it in the place of the one with the same name.
+void set_column(Cloud& cloud, Column column);
 
 }  // namespace rimline

@@ -2,7 +2,7 @@
 // Files in and out. Paths may be "-" for standard input or output where the format allows it.
 #pragma once
 
-#include <iosfwd>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,8 +24,10 @@ Cloud read_cloud(const std::string& path, const Run& run);
 // Throws CannotWrite.
 void write_cloud(const std::string& path, const Cloud& cloud, const Run& run);
 
-// Writes points and triangles, by the ending: ply (columns kept; `list uchar int vertex_indices`), obj, off
-// or stl (binary). The ending is checked by check_mesh_path before any work. Throws CannotWrite.
+// Writes points and triangles (ids within the cloud), by the ending: ply (columns kept; `list uchar int
+// vertex_indices`), obj (with `vt` where there are columns u and v, and `vn`), off, stl (binary) or glb
+// (glTF);
+// "-" is PLY. The ending is checked by check_mesh_path before any work. Throws CannotWrite.
 void write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
                 const Run& run);
 
@@ -35,10 +37,19 @@ void check_mesh_path(const std::string& path);
 // Writes `text` in the same safe way (reports, JSON).
 void write_text(const std::string& path, const std::string& text);
 
-// LOOPS.json, schema 1. docs/formats.md
-std::string loops_to_json(const std::vector<Loop>& loops);
+// LOOPS.json, schema 1, for a cloud of that many points. docs/formats.md
+std::string loops_to_json(const std::vector<Loop>& loops, std::size_t point_count);
+
+// Writes loops by the ending: json, geojson, wkt, csv, ply (edges), obj (lines) or dxf; "-" is JSON. The
+// ending is checked by check_loops_path. Throws CannotWrite.
+void write_loops(const std::string& path, const std::vector<Loop>& loops, Points points, const Run& run);
+
+// Throws BadOption where write_loops does not know the ending; the message lists those it knows.
+void check_loops_path(const std::string& path);
+
 // Reads the loops of a LOOPS.json, ids checked against `point_count`: in range, at least three, none twice in
-// a loop (a repeated closing id is dropped). Only `points` is required. Throws CannotRead.
+// a loop (a repeated closing id is dropped), and made for as many points where it says so. Of a loop only
+// `points` is required. Throws CannotRead.
 std::vector<Loop> read_loops(const std::string& path, std::size_t point_count);
 
 }  // namespace rimline

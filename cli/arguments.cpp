@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arguments.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <functional>
+#include <utility>
+
+#include "help.h"
+#include "parse.h"
+#include "rimline/version.h"
+
+namespace rimline::cli {
+namespace {
+
+constexpr int most_threads = 1024;
+
+template <class T>
+std::string text_of(const T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    return name(value);
+  } else if constexpr (std::same_as<T, bool>) {
+    return value ? "on" : "off";
+  } else {
+    return fmt::format("{}", value);
+  }
+}
+
+template <class T>
+std::string range_of(const Field<T>& field) {
+  if constexpr (std::is_enum_v<T>) {
+    return fmt::format("One of {}.", fmt::join(names_of<T>(), ", "));
+  } else if constexpr (std::same_as<T, bool>) {
+    return "on or off.";
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    return fmt::format("From {} to {}.", field.least, field.most);
+  } else {
+    return "";
+  }
+}
+
+// field name -> its default in a preset.
+std::map<std::string, std::string> defaults_of(Preset preset) {
+  std::map<std::string, std::string> defaults;
+  Options options = preset_options(preset);
+  visit_fields(options, [&](const auto& field) { defaults[field.name] = text_of(field.value); });
+  return defaults;
+}
+
+// "Default 40." or "Default log; paper: printed."
+std::string default_text(const std::string& field_name) {
+  static const auto presets = [] {
+    std::map<std::string, std::map<std::string, std::string>> all;
+    for (const auto& preset_name : names_of<Preset>()) {
+      all[preset_name] = defaults_of(parse_enum<Preset>("--preset", preset_name));
+    }
+    return all;
+  }();
+  const std::string& standard = presets.at("default").at(field_name);
+  std::string text = "Default " + standard;
+  for (const auto& [preset_name, defaults] : presets) {
+    const std::string& value = defaults.at(field_name);
+    if (value != standard) text += fmt::format("; {}: {}", preset_name, value);
+  }
+  return text + ".";
+}
+
+template <class Struct>
+bool holds(const Struct& options, const void* field) {
+  const auto begin = reinterpret_cast<std::uintptr_t>(&options);
+  const auto place = reinterpret_cast<std::uintptr_t>(field);
+  return place >= begin && place < begin + sizeof(Struct);
+}
+
+// The heading under which --help lists a field: the struct that holds it.
+std::string group_of(const Options& options, const void* field) {
+  if (holds(options.boundary, field)) return "Boundary test (section 2)";
+  if (holds(options.loops, field)) return "Loops (section 3)";
+  if (holds(options.map, field)) return "Map (section 5)";
+  return "Mesh (section 5)";
+}
+
+void add_fields(CLI::App& command, MethodArguments& arguments) {
+  Options options = preset_options(Preset::Default);
+  visit_fields(options, [&](auto field) {
+    using T = std::remove_reference_t<decltype(field.value)>;
+    const std::string value = std::is_enum_v<T> ? "NAME" : std::is_integral_v<T> ? "N" : "X";
+    const std::string description =
+        fmt::format("{}. {} {}", field.help, range_of(field), default_text(field.name));
+    // Parsed here only to refuse a bad value at once; options() parses it again, over the chosen preset.
+    auto check = [&arguments, id = std::string(field.name)](const std::string& text) {
+      Options trial;
+      visit_fields(trial, [&](const auto& candidate) {
+        if (candidate.name == id) parse_field(candidate, text);
+      });
+      arguments.fields[id] = text;
+    };
+    add_parsed(command, flag_name(field.name), value, description, group_of(options, &field.value), check);
+  });
+}
+
+}  // namespace
+
+Options MethodArguments::options() const {
+  Options result = preset_options(common.preset);
+  visit_fields(result, [this](const auto& field) {
+    const auto given = fields.find(field.name);
+    if (given != fields.end()) parse_field(field, given->second);
+  });
+  if (up) result.mesh.up = *up;
+  return result;
+}
+
+CLI::App& add_subcommand(CLI::App& tool, const std::string& name, const std::string& description,
+                         const std::string& example) {
+  CLI::App& command = *tool.add_subcommand(name, description);
+  command.footer(example);
+  command.formatter_fn(
+      [](const CLI::App* app, const std::string&, CLI::AppFormatMode) { return help_of_subcommand(*app); });
+  command.set_help_flag("-h,--help", "Print this and end")->group("Run");
+  command.set_version_flag("--version", std::string("rimline ") + version, "Print the version and end")
+      ->group("Run");
+  return command;
+}
+
+CLI::Option* add_parsed(CLI::App& command, const std::string& flags, const std::string& value,
+                        const std::string& description, const std::string& group,
+                        std::function<void(const std::string&)> parse) {
+  return command.add_option_function<std::string>(flags, std::move(parse), description)
+      ->type_name(value)
+      ->group(group);
+}
+
+void add_common(CLI::App& command, Common& common) {
+  const std::string group = "Run";
+  add_parsed(command, "--preset", "NAME",
+             fmt::format("Set of defaults that other flags change: {}. Default default.",
+                         fmt::join(names_of<Preset>(), ", ")),
+             group, [&](const std::string& text) { common.preset = parse_enum<Preset>("--preset", text); });
+  add_parsed(command, "--seed", "N", "Start of every random stream. From 0 to 2^64 - 1. Default 1.", group,
+             [&](const std::string& text) { common.seed = parse_seed("--seed", text); });
+  add_parsed(command, "--threads", "N",
+             fmt::format("Most threads at once, 0 for all cores; the result does not depend on it. "
+                         "From 0 to {}. Default 0.",
+                         most_threads),
+             group, [&](const std::string& text) {
+               common.threads = static_cast<int>(parse_whole("--threads", text, 0, most_threads));
+             });
+  command.add_flag("-q,--quiet", common.quiet, "Print nothing but errors and what was asked for as output")
+      ->group(group);
+}
+
+void add_input(CLI::App& command, std::string& input) {
+  command
+      .add_option("input", input, "Points: PLY, XYZ/TXT/CSV, OBJ, OFF, PCD or STL; - reads standard input")
+      ->type_name("IN")
+      ->required()
+      ->group("Files");
+}
+
+void add_output(CLI::App& command, std::string& output, const std::string& value,
+                const std::string& description, bool required) {
+  CLI::Option* option =
+      command.add_option("-o,--output", output, description)->type_name(value)->group("Files");
+  if (required) option->required();
+}
+
+void add_method(CLI::App& command, MethodArguments& arguments) {
+  const std::string files = "Files";
+  command
+      .add_option("--loops", arguments.loops,
+                  "Write the loops: json (schema 1), geojson, wkt, csv, ply (edges), obj (lines) or dxf; - "
+                  "is JSON on standard output")
+      ->type_name("LOOPS.json")
+      ->group(files);
+  command
+      .add_option(
+          "--use-loops", arguments.use_loops,
+          "Take the boundary from this file instead of finding one; only `points` of each loop is read")
+      ->type_name("IN.json")
+      ->group(files);
+  command
+      .add_option("--report", arguments.report,
+                  "Write options, counts, measures, seconds and memory (JSON); - for standard output")
+      ->type_name("REPORT.json")
+      ->group(files);
+  command.add_option("--picture", arguments.picture, "Draw what was found, stage by stage")
+      ->type_name("OUT.png|svg")
+      ->group(files);
+  add_parsed(command, "--up", "X,Y,Z",
+             "The mesh faces this way on average where the points have no normals, and the picture stands "
+             "this way. Default 0,0,1.",
+             "Mesh (section 5)",
+             [&](const std::string& text) { arguments.up = parse_direction("--up", text); });
+  add_fields(command, arguments);
+  add_common(command, arguments.common);
+}
+
+}  // namespace rimline::cli

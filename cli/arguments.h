@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The arguments that subcommands share, each declared in one place.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "outputs.h"
+#include "rimline/options.h"
+#include "rimline/pipeline.h"
+#include "rimline/run.h"
+
+namespace rimline::cli {
+
+// What every subcommand takes.
+struct Common {
+  Preset preset = Preset::Default;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  bool quiet = false;
+};
+
+// What the subcommands that run the method take. Empty paths are files that were not asked for.
+struct MethodArguments {
+  Common common;
+  std::string input;
+  std::string output, loops, report, picture;
+  std::string use_loops;
+  std::optional<Point> up;
+  std::map<std::string, std::string> fields;  // options given as flags: the field's name, its text
+
+  // The preset's options, with what was given as flags on top.
+  Options options() const;
+};
+
+// Adds a subcommand with its help: `example` stands on top of it. `--help` and `--version` come with it.
+CLI::App& add_subcommand(CLI::App& tool, const std::string& name, const std::string& description,
+                         const std::string& example);
+
+void add_common(CLI::App& command, Common& common);
+void add_input(CLI::App& command, std::string& input);
+void add_output(CLI::App& command, std::string& output, const std::string& value,
+                const std::string& description, bool required);
+
+// --loops, --use-loops, --report, --picture, --up and one flag per field of the options.
+void add_method(CLI::App& command, MethodArguments& arguments);
+
+// An option that `parse` turns into a value; what it throws ends the tool with status 1.
+CLI::Option* add_parsed(CLI::App& command, const std::string& flags, const std::string& value,
+                        const std::string& description, const std::string& group,
+                        std::function<void(const std::string&)> parse);
+
+}  // namespace rimline::cli

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results as properties of the points: what POINTS.ply and MESH.ply hold beside the input's own. A property
+// of the input with one of these names is replaced: a `boundary` in the input is truth from elsewhere, not
+// ours.
+#pragma once
+
+#include <vector>
+
+#include "rimline/cloud.h"
+#include "rimline/pipeline.h"
+
+namespace rimline::cli {
+
+// boundary (uchar), loop (int), candidate (uchar), p_value (double), score (double).
+void put_boundary_columns(Cloud& cloud, const BoundaryResult& result);
+// u, v (double), boundary (uchar).
+void put_map_columns(Cloud& cloud, const std::vector<UV>& uv, const std::vector<std::uint8_t>& boundary);
+
+}  // namespace rimline::cli

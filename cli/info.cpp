@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "rimline/arrange.h"
+#include "rimline/io.h"
+#include "rimline/neighbours.h"
+#include "session.h"
+#include "subcommands.h"
+#include "summary.h"
+
+namespace rimline::cli {
+namespace {
+
+struct InfoArguments {
+  Common common;
+  std::string input;
+};
+
+std::string line(const char* label, const std::string& text) {
+  return fmt::format("{:<12} {}\n", label, text);
+}
+
+std::string box_lines(Points points) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Point low = {infinite, infinite, infinite}, high = {-infinite, -infinite, -infinite};
+  for (const Point p : points) {
+    if (!is_finite(p)) continue;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return line("x", fmt::format("{} to {}", low.x, high.x)) +
+         line("y", fmt::format("{} to {}", low.y, high.y)) +
+         line("z", fmt::format("{} to {}", low.z, high.z));
+}
+
+std::string property_lines(const Cloud& cloud) {
+  std::string text = line("coordinates", name(cloud.coordinate_type));
+  std::string list;
+  for (const Column& column : cloud.columns) {
+    list += (list.empty() ? "" : ", ") + fmt::format("{} {}", name(column.type), column.name);
+  }
+  return text + line("properties", list.empty() ? "none" : list);
+}
+
+std::string spacing_line(const Arrangement& distinct, const Run& run) {
+  constexpr int six = 6;  // what local_spacing() averages over
+  const auto neighbours = find_neighbours(distinct.points, six, run);
+  auto spacing = local_spacing(neighbours);
+  std::sort(spacing.begin(), spacing.end());
+  const auto at = [&](double share) {
+    return spacing[static_cast<std::size_t>(share * static_cast<double>(spacing.size() - 1))];
+  };
+  return line("spacing",
+              fmt::format("median {:.6g}, 5 % below {:.6g}, 5 % above {:.6g} (mean distance to the "
+                          "{} nearest)",
+                          at(0.5), at(0.05), at(0.95), std::min(six, neighbours.k)));
+}
+
+void run_info(const InfoArguments& arguments) {
+  Session session(arguments.common);
+  const Cloud cloud = read_cloud(arguments.input, session.run());
+  std::string text = line("file", arguments.input == "-" ? "standard input" : arguments.input);
+  text += line("points", with_commas(static_cast<long long>(cloud.points.size())));
+  text += property_lines(cloud);
+  const bool any_finite = std::any_of(cloud.points.begin(), cloud.points.end(), is_finite);
+  if (any_finite) {
+    const Arrangement distinct = arrange(cloud.points, session.run());
+    text += box_lines(cloud.points);
+    text += line("not finite", with_commas(static_cast<long long>(distinct.not_finite.size())));
+    text += line("duplicates", with_commas(static_cast<long long>(distinct.duplicates.size())));
+    if (distinct.points.size() > 1) text += spacing_line(distinct, session.run());
+  } else {
+    text += line("not finite", with_commas(static_cast<long long>(cloud.points.size())));
+  }
+  session.bar().erase();
+  fmt::print("{}", text);
+}
+
+}  // namespace
+
+void add_info(CLI::App& tool) {
+  auto arguments = std::make_shared<InfoArguments>();
+  CLI::App& command = add_subcommand(
+      tool, "info",
+      "Tell what a file of points holds: counts, box, properties, points that can not be used, "
+      "spacing.",
+      "rimline info scan.ply");
+  add_input(command, arguments->input);
+  add_common(command, arguments->common);
+  command.callback([arguments] { run_info(*arguments); });
+}
+
+}  // namespace rimline::cli

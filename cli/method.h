@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What boundary, parameterize and reconstruct do alike, before and after the library's call.
+#pragma once
+
+#include <vector>
+
+#include "arguments.h"
+#include "outputs.h"
+#include "picture.h"
+#include "rimline/cloud.h"
+#include "rimline/pipeline.h"
+#include "session.h"
+
+namespace rimline::cli {
+
+struct Inputs {
+  Cloud cloud;
+  Given given;
+};
+
+// All files that the arguments ask for, `main_output` first.
+std::vector<Output> outputs_of(const MethodArguments& arguments, const Output& main_output);
+
+// The points, their normals and the boundary made by hand, where there is one.
+Inputs read_inputs(const MethodArguments& arguments, const Run& run);
+
+// Writes the loops, the picture and the report, as far as they were asked for, then prints the summary.
+void finish(const MethodArguments& arguments, const std::vector<Output>& outputs, const Scene& scene,
+            const Report& report, Session& session);
+
+}  // namespace rimline::cli

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parse.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "rimline/run.h"
+
+namespace rimline::cli {
+namespace {
+
+template <class T>
+std::optional<T> whole_text(const std::string& text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+[[noreturn]] void refuse(const std::string& flag, const std::string& wants, const std::string& text) {
+  throw Error(ErrorCode::BadOption, fmt::format("{} wants {}, not '{}'", flag, wants, text));
+}
+
+}  // namespace
+
+std::int64_t parse_whole(const std::string& flag, const std::string& text, std::int64_t least,
+                         std::int64_t most) {
+  auto value = whole_text<std::int64_t>(text);
+  constexpr double exact = 9007199254740992.0;  // 2^53: doubles up to here are exact whole numbers
+  if (!value) {
+    const auto number = whole_text<double>(text);
+    if (number && std::trunc(*number) == *number && std::abs(*number) <= exact) {
+      value = static_cast<std::int64_t>(*number);
+    }
+  }
+  if (!value || *value < least || *value > most) {
+    refuse(flag, fmt::format("a whole number from {} to {}", least, most), text);
+  }
+  return *value;
+}
+
+std::uint64_t parse_seed(const std::string& flag, const std::string& text) {
+  const auto value = whole_text<std::uint64_t>(text);
+  if (!value) refuse(flag, "a whole number from 0 to 18446744073709551615", text);
+  return *value;
+}
+
+double parse_number(const std::string& flag, const std::string& text, double least, double most) {
+  const auto value = whole_text<double>(text);
+  // Written so that NaN, which compares false with everything, is refused.
+  if (!value || !(*value >= least && *value <= most)) {
+    refuse(flag, fmt::format("a number from {} to {}", least, most), text);
+  }
+  return *value;
+}
+
+bool parse_switch(const std::string& flag, const std::string& text) {
+  if (text == "on") return true;
+  if (text == "off") return false;
+  refuse(flag, "'on' or 'off'", text);
+}
+
+Point parse_direction(const std::string& flag, const std::string& text) {
+  std::vector<double> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto part = whole_text<double>(text.substr(begin, end - begin));
+    if (!part || !std::isfinite(*part)) break;
+    parts.push_back(*part);
+    begin = end + 1;
+  }
+  const auto commas = std::count(text.begin(), text.end(), ',');
+  if (parts.size() != 3 || commas != 2 || (parts[0] == 0 && parts[1] == 0 && parts[2] == 0)) {
+    refuse(flag, "three numbers X,Y,Z that are not all zero, such as 0,0,1", text);
+  }
+  return {parts[0], parts[1], parts[2]};
+}
+
+std::size_t parse_choice(const std::string& flag, const std::string& text,
+                         const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), text);
+  if (found == names.end()) refuse(flag, fmt::format("one of {}", fmt::join(names, ", ")), text);
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+std::string flag_name(const std::string& field_name) {
+  std::string flag = "--" + field_name;
+  std::replace(flag.begin(), flag.end(), '_', '-');
+  return flag;
+}
+
+}  // namespace rimline::cli

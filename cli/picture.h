@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One wide picture of what a run found, stage by stage: points, candidates, boundary, map, mesh.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "rimline/mesh.h"
+#include "rimline/pipeline.h"
+#include "rimline/points.h"
+#include "rimline/run.h"
+
+namespace rimline::cli {
+
+struct Scene {
+  Points points;
+  const BoundaryResult& boundary;
+  std::span<const UV> uv = {};               // empty: no panel for the map
+  std::span<const Triangle> triangles = {};  // empty: no panel for the mesh
+  std::optional<Point> up = {};
+};
+
+// PNG or SVG by the ending. Points and surfaces are images in both, so that a million points is no trouble;
+// lines and text are vectors in SVG. Throws CannotWrite, Cancelled.
+void write_picture(const std::string& path, const Scene& scene, const Run& run);
+
+}  // namespace rimline::cli

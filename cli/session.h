@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One run of a subcommand: seed, threads, progress and Ctrl-C as the library wants them, and the clock.
+#pragma once
+
+#include <chrono>
+
+#include "arguments.h"
+#include "interrupt.h"
+#include "progress.h"
+
+namespace rimline::cli {
+
+class Session {
+ public:
+  explicit Session(const Common& common) : bar_(!common.quiet) {
+    run_.seed = common.seed;
+    run_.threads = common.threads;
+    run_.stop = &interrupted;
+    run_.on_progress = [this](Progress progress) { bar_.show(progress); };
+  }
+
+  const Run& run() const { return run_; }
+  ProgressBar& bar() { return bar_; }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  ProgressBar bar_;
+  Run run_;
+};
+
+}  // namespace rimline::cli

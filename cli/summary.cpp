@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "summary.h"
+
+#include <fmt/format.h>
+
+namespace rimline::cli {
+namespace {
+
+constexpr std::size_t most_loops_listed = 12;
+
+std::string line(const char* label, const std::string& text) {
+  return fmt::format("{:<10} {}\n", label, text);
+}
+
+std::string points_line(const PointCounts& points) {
+  std::string text = fmt::format("{} used of {}", with_commas(points.used), with_commas(points.input));
+  if (points.not_finite > 0) text += fmt::format(", {} not finite", with_commas(points.not_finite));
+  if (points.duplicates > 0) text += fmt::format(", {} duplicates", with_commas(points.duplicates));
+  if (points.stray > 0) text += fmt::format(", {} stray", with_commas(points.stray));
+  return line("points", text);
+}
+
+std::string loop_lines(const std::vector<Loop>& loops) {
+  if (loops.empty()) return line("loops", "none: the surface has no boundary");
+  std::string text;
+  for (std::size_t i = 0; i < loops.size() && i < most_loops_listed; ++i) {
+    text +=
+        line(i == 0 ? "loops" : "", fmt::format("{}: {}, {} points, length {:.6g}", i, name(loops[i].kind),
+                                                with_commas(loops[i].points.size()), loops[i].length));
+  }
+  if (loops.size() > most_loops_listed) {
+    text += line("", fmt::format("and {} more", loops.size() - most_loops_listed));
+  }
+  return text;
+}
+
+std::string mesh_lines(const MeshSummary& mesh) {
+  std::string text = fmt::format("{} triangles on {} points, Euler number {}, {} boundary {}",
+                                 with_commas(mesh.triangles), with_commas(mesh.points_used), mesh.euler,
+                                 mesh.boundary_loops, mesh.boundary_loops == 1 ? "loop" : "loops");
+  if (mesh.nonmanifold_edges > 0) text += fmt::format(", {} non-manifold edges", mesh.nonmanifold_edges);
+  if (mesh.long_edges > 0) {
+    text += fmt::format(", {} edges longer than 3 spacings", with_commas(mesh.long_edges));
+  }
+  return line("mesh", text);
+}
+
+}  // namespace
+
+std::string with_commas(long long number) {
+  std::string digits = std::to_string(number);
+  for (auto i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > (number < 0 ? 1 : 0); i -= 3) {
+    digits.insert(static_cast<std::size_t>(i), 1, ',');
+  }
+  return digits;
+}
+
+void print_summary(std::FILE* to, const Report& report, const std::string& files, double seconds) {
+  std::string text = points_line(report.points);
+  text += line("spacing", fmt::format("{:.4g} on average, {:.4g} to {:.4g}", report.spacing.mean,
+                                      report.spacing.least, report.spacing.most));
+  text += line("candidates", with_commas(report.candidates));
+  text += loop_lines(report.loops);
+  if (report.has_map) {
+    text += line("map", fmt::format("{} unknowns, residual {:.1e}", with_commas(report.map.unknowns),
+                                    report.map.residual));
+  }
+  if (report.has_mesh) text += mesh_lines(report.mesh);
+  for (const std::string& warning : report.warnings) text += line("warning", warning);
+  if (!files.empty()) text += line("wrote", files);
+  text += line("seconds", fmt::format("{:.2f}", seconds));
+  std::fwrite(text.data(), 1, text.size(), to);
+}
+
+}  // namespace rimline::cli

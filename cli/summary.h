@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run came to, in a few lines for people.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "rimline/report.h"
+
+namespace rimline::cli {
+
+// `files`: what was written, or "".
+void print_summary(std::FILE* to, const Report& report, const std::string& files, double seconds);
+
+// 12745 -> "12,745".
+std::string with_commas(long long number);
+
+}  // namespace rimline::cli

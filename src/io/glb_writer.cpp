@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// glTF 2.0 binary: a JSON chunk and one buffer. The standard knows floats only, so that the middle of the
+// points goes into the node's translation and the vertices are what is left: small numbers, kept well.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "io/writers.h"
+
+namespace rimline::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Codes of the standard.
+constexpr int code_ubyte = 5121, code_uint = 5125, code_float = 5126;
+constexpr int target_vertices = 34962, target_indices = 34963;
+constexpr int mode_points = 0, mode_triangles = 4;
+
+struct Box {
+  Point low{1, 1, 1}, high{0, 0, 0};
+  bool empty() const { return low.x > high.x; }
+};
+
+Box bounds(Points points) {
+  Box box;
+  for (const Point& p : points) {
+    if (!is_finite(p)) continue;
+    if (box.empty()) box = {p, p};
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+  }
+  return box;
+}
+
+// The buffer is described first and written after, view by view in the same order.
+class Document {
+ public:
+  // Returns the number of the accessor of a new view.
+  int add(std::size_t count, const char* type, int component, std::size_t item_bytes, int target) {
+    const int view = static_cast<int>(views_.size());
+    views_.push_back(
+        {{"buffer", 0}, {"byteOffset", size_}, {"byteLength", count * item_bytes}, {"target", target}});
+    accessors_.push_back(
+        {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
+    size_ += count * item_bytes;  // all items are of four bytes or a multiple: always aligned
+    return view;
+  }
+  Json& accessor(int number) { return accessors_[static_cast<std::size_t>(number)]; }
+  std::size_t size() const { return size_; }
+
+  std::string text(const Json& primitive, Point translation) const {
+    Json json = {{"asset", {{"version", "2.0"}, {"generator", "rimline"}}}, {"scene", 0}};
+    json["scenes"] = Json::array({{{"nodes", {0}}}});
+    json["nodes"] =
+        Json::array({{{"mesh", 0}, {"translation", {translation.x, translation.y, translation.z}}}});
+    json["meshes"] = Json::array({{{"primitives", Json::array({primitive})}}});
+    json["accessors"] = accessors_;
+    json["bufferViews"] = views_;
+    json["buffers"] = Json::array({{{"byteLength", size_}}});
+    std::string result = json.dump();
+    result.resize((result.size() + 3) / 4 * 4, ' ');
+    return result;
+  }
+
+ private:
+  Json views_ = Json::array(), accessors_ = Json::array();
+  std::size_t size_ = 0;
+};
+
+// What the vertices carry.
+struct Attributes {
+  Points points;
+  Point middle;
+  std::vector<Point> normals;
+  const Column *u = nullptr, *v = nullptr;
+  std::array<const Column*, 3> colour{};
+
+  bool has_uv() const { return u != nullptr && v != nullptr; }
+  bool has_colour() const {
+    return std::all_of(colour.begin(), colour.end(),
+                       [](const Column* c) { return c != nullptr && c->type == Scalar::UInt8; });
+  }
+};
+
+// Unused points may have no place; the standard allows no NaN.
+Point local_place(const Attributes& a, std::size_t i) {
+  return is_finite(a.points[i]) ? a.points[i] - a.middle : Point{};
+}
+
+Point unit_normal(Point normal) {
+  const double length = norm(normal);
+  return length > 0 && std::isfinite(length) ? (1 / length) * normal : Point{0, 0, 1};
+}
+
+float finite_float(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0f; }
+
+Json as_floats(Point p) {  // exactly what is written, as the standard asks for
+  return Json::array({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+}
+
+Attributes attributes_of(const Cloud& cloud, const Triangles& triangles, const Box& box) {
+  Attributes a;
+  a.points = cloud.points;
+  a.middle = box.empty() ? Point{} : 0.5 * (box.low + box.high);
+  a.normals = cloud.normals();
+  if (a.normals.empty()) a.normals = normals_of_mesh(cloud.points, triangles);
+  a.u = cloud.find("u"), a.v = cloud.find("v");
+  a.colour = {cloud.find("red"), cloud.find("green"), cloud.find("blue")};
+  return a;
+}
+
+Json describe(Document& document, const Attributes& a, const Box& box, const Triangles& triangles) {
+  const std::size_t count = a.points.size();
+  Json attributes;
+  const int position = document.add(count, "VEC3", code_float, 12, target_vertices);
+  attributes["POSITION"] = position;
+  Point low = box.low - a.middle, high = box.high - a.middle;
+  if (box.empty()) low = high = {};
+  // Points without a place are written as the middle, which lies within the box.
+  document.accessor(position)["min"] = as_floats(low);
+  document.accessor(position)["max"] = as_floats(high);
+  attributes["NORMAL"] = document.add(count, "VEC3", code_float, 12, target_vertices);
+  if (a.has_uv()) attributes["TEXCOORD_0"] = document.add(count, "VEC2", code_float, 8, target_vertices);
+  if (a.has_colour()) {
+    const int colour = document.add(count, "VEC4", code_ubyte, 4, target_vertices);
+    document.accessor(colour)["normalized"] = true;
+    attributes["COLOR_0"] = colour;
+  }
+  Json primitive = {{"attributes", attributes}, {"mode", triangles.empty() ? mode_points : mode_triangles}};
+  if (!triangles.empty()) {
+    primitive["indices"] = document.add(3 * triangles.size(), "SCALAR", code_uint, 4, target_indices);
+  }
+  return primitive;
+}
+
+void write_three(SafeFile& file, Point p) {
+  for (const double value : {p.x, p.y, p.z}) file.little(static_cast<float>(value));
+}
+
+void write_buffer(SafeFile& file, const Attributes& a, const Triangles& triangles, const Run& run) {
+  const std::size_t count = a.points.size();
+  for_each_written(count, run, [&](std::size_t i) { write_three(file, local_place(a, i)); });
+  for_each_written(count, run, [&](std::size_t i) { write_three(file, unit_normal(a.normals[i])); });
+  if (a.has_uv()) {
+    for_each_written(count, run, [&](std::size_t i) {
+      const auto id = static_cast<Index>(i);
+      file.little(finite_float(a.u->value(id)));
+      file.little(finite_float(1 - a.v->value(id)));  // the standard's v points down
+    });
+  }
+  if (a.has_colour()) {
+    for_each_written(count, run, [&](std::size_t i) {
+      for (const Column* channel : a.colour) file.write(static_cast<char>(channel->bytes[i]));
+      file.write('\xff');  // opaque; alpha is here to fill four bytes
+    });
+  }
+  for_each_written(triangles.size(), run, [&](std::size_t t) {
+    for (const Index id : triangles[t]) file.little(static_cast<std::uint32_t>(id));
+  });
+}
+
+}  // namespace
+
+void write_glb(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run) {
+  const Box box = bounds(cloud.points);
+  const Attributes attributes = attributes_of(cloud, triangles, box);
+  Document document;
+  const Json primitive = describe(document, attributes, box, triangles);
+  const std::string json = document.text(primitive, attributes.middle);
+  const std::size_t total = 12 + 8 + json.size() + 8 + document.size();
+  if (total > std::numeric_limits<std::uint32_t>::max()) {
+    throw Error(ErrorCode::CannotWrite, "a glTF binary can not hold 4 GB or more; write PLY instead");
+  }
+  constexpr std::uint32_t version = 2, json_chunk = 0x4e4f534a, buffer_chunk = 0x004e4942;
+  file.write("glTF");
+  for (const auto number :
+       {version, static_cast<std::uint32_t>(total), static_cast<std::uint32_t>(json.size()), json_chunk}) {
+    file.little(number);
+  }
+  file.write(json);
+  file.little(static_cast<std::uint32_t>(document.size()));
+  file.little(buffer_chunk);
+  write_buffer(file, attributes, triangles, run);
+}
+
+}  // namespace rimline::io

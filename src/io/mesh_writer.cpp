@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// OBJ, OFF, STL, and the choice among the formats of a mesh.
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+
+#include "io/writers.h"
+#include "rimline/io.h"
+
+namespace rimline {
+namespace io {
+
+std::string ending_of(const std::string& path) {
+  if (path == "-") return "ply";
+  const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string::npos || path[dot] == '/') return {};
+  std::string ending = path.substr(dot + 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+std::vector<Point> normals_of_mesh(Points points, const Triangles& triangles) {
+  std::vector<Point> normals(points.size());
+  for (const Triangle& t : triangles) {
+    const Point a = points[t[0]];
+    const Point normal = cross(points[t[1]] - a, points[t[2]] - a);
+    for (const Index corner : t) normals[corner] = normals[corner] + normal;
+  }
+  for (Point& normal : normals) {
+    const double length = norm(normal);
+    normal = length > 0 ? (1 / length) * normal : Point{};
+  }
+  return normals;
+}
+
+namespace {
+
+// OBJ has no NaN; points without a value are in no triangle.
+void write_finite(SafeFile& file, double value, Scalar type) {
+  std::isfinite(value) ? write_coordinate(file, value, type) : file.write('0');
+}
+
+void write_obj_uv(SafeFile& file, const Column& u, const Column& v, std::size_t count, const Run& run) {
+  for_each_written(count, run, [&](std::size_t i) {
+    file.write("vt ");
+    write_finite(file, u.value(static_cast<Index>(i)), u.type);
+    file.write(' ');
+    write_finite(file, v.value(static_cast<Index>(i)), v.type);
+    file.write('\n');
+  });
+}
+
+// The input's normals as they came, or else those of the mesh, as floats: nobody needs more of them.
+void write_obj_normals(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run) {
+  std::vector<Point> normals = cloud.normals();
+  const bool given = !normals.empty();
+  if (!given) normals = normals_of_mesh(cloud.points, triangles);
+  const Scalar type = given ? cloud.find("nx")->type : Scalar::Float32;
+  for_each_written(normals.size(), run, [&](std::size_t i) {
+    file.write("vn");
+    for (const double value : {normals[i].x, normals[i].y, normals[i].z}) {
+      file.write(' ');
+      write_finite(file, value, type);
+    }
+    file.write('\n');
+  });
+}
+
+// "7/7/7": place, texture and normal of a corner share their number.
+void write_obj_corner(SafeFile& file, Index id, bool uv) {
+  const long long number = static_cast<long long>(id) + 1;
+  file.write(' ');
+  file.number(number);
+  file.write('/');
+  if (uv) file.number(number);
+  file.write('/');
+  file.number(number);
+}
+
+}  // namespace
+
+void write_obj(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run) {
+  const Column* u = cloud.find("u");
+  const Column* v = cloud.find("v");
+  const bool uv = u != nullptr && v != nullptr;
+  for_each_written(cloud.points.size(), run, [&](std::size_t i) {
+    file.write("v ");
+    write_point(file, cloud.points[i], cloud.coordinate_type);
+    file.write('\n');
+  });
+  if (uv) write_obj_uv(file, *u, *v, cloud.points.size(), run);
+  write_obj_normals(file, cloud, triangles, run);
+  for_each_written(triangles.size(), run, [&](std::size_t t) {
+    file.write('f');
+    for (const Index id : triangles[t]) write_obj_corner(file, id, uv);
+    file.write('\n');
+  });
+}
+
+void write_off(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run) {
+  file.write("OFF\n" + std::to_string(cloud.points.size()) + " " + std::to_string(triangles.size()) + " 0\n");
+  for_each_written(cloud.points.size(), run, [&](std::size_t i) {
+    write_point(file, cloud.points[i], cloud.coordinate_type);
+    file.write('\n');
+  });
+  for_each_written(triangles.size(), run, [&](std::size_t t) {
+    file.write('3');
+    for (const Index id : triangles[t]) {
+      file.write(' ');
+      file.number(static_cast<long long>(id));
+    }
+    file.write('\n');
+  });
+}
+
+void write_stl(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run) {
+  std::string header = "binary STL";  // must not start with "solid"
+  header.resize(80, ' ');
+  file.write(header);
+  file.little(static_cast<std::uint32_t>(triangles.size()));
+  for_each_written(triangles.size(), run, [&](std::size_t t) {
+    const std::array<Point, 3> corners = {cloud.points[triangles[t][0]], cloud.points[triangles[t][1]],
+                                          cloud.points[triangles[t][2]]};
+    Point normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double length = norm(normal);
+    if (length > 0) normal = (1 / length) * normal;
+    for (const Point& p : {normal, corners[0], corners[1], corners[2]}) {
+      for (const double value : {p.x, p.y, p.z}) file.little(static_cast<float>(value));
+    }
+    file.little(std::uint16_t{0});
+  });
+}
+
+}  // namespace io
+
+void check_mesh_path(const std::string& path) {
+  const std::string ending = io::ending_of(path);
+  for (const char* known : {"ply", "obj", "off", "stl", "glb"}) {
+    if (ending == known) return;
+  }
+  throw Error(ErrorCode::BadOption, path + ": the ending must be .ply, .obj, .off, .stl or .glb for a mesh");
+}
+
+void write_cloud(const std::string& path, const Cloud& cloud, const Run& run) {
+  io::SafeFile file(path);
+  io::write_ply(file, cloud, nullptr, run);
+  run.progress(Stage::Write, 1, 1);
+  file.commit();
+}
+
+void write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
+                const Run& run) {
+  check_mesh_path(path);
+  const std::string ending = io::ending_of(path);
+  io::SafeFile file(path);
+  if (ending == "ply") io::write_ply(file, cloud, &triangles, run);
+  if (ending == "obj") io::write_obj(file, cloud, triangles, run);
+  if (ending == "off") io::write_off(file, cloud, triangles, run);
+  if (ending == "stl") io::write_stl(file, cloud, triangles, run);
+  if (ending == "glb") io::write_glb(file, cloud, triangles, run);
+  run.progress(Stage::Write, 1, 1);
+  file.commit();
+}
+
+}  // namespace rimline

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <bit>
+#include <cstring>
+#include <string>
+
+#include "io/writers.h"
+
+namespace rimline::io {
+namespace {
+
+std::string header(const Cloud& cloud, const Triangles* triangles) {
+  std::string text =
+      "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(cloud.points.size());
+  for (const char* axis : {"x", "y", "z"}) {
+    text.append("\nproperty ").append(name(cloud.coordinate_type)).append(" ").append(axis);
+  }
+  for (const Column& column : cloud.columns) {
+    text.append("\nproperty ").append(name(column.type)).append(" ").append(column.name);
+  }
+  if (triangles != nullptr) {
+    text.append("\nelement face ").append(std::to_string(triangles->size()));
+    text.append("\nproperty list uchar int vertex_indices");
+  }
+  return text + "\nend_header\n";
+}
+
+template <class T>
+void place(char* to, T value) {
+  std::memcpy(to, &value, sizeof(T));
+  if constexpr (std::endian::native == std::endian::big) std::reverse(to, to + sizeof(T));
+}
+
+// Records of the points [begin, end), put together column by column: each loop moves one type only.
+class Records {
+ public:
+  explicit Records(const Cloud& cloud) : cloud_(cloud), record_(3 * size_in_bytes(cloud.coordinate_type)) {
+    for (const Column& column : cloud.columns) record_ += size_in_bytes(column.type);
+  }
+
+  std::string_view take(std::size_t begin, std::size_t end) {
+    bytes_.resize((end - begin) * record_);
+    std::size_t offset = cloud_.coordinate_type == Scalar::Float32 ? put_points<float>(begin, end)
+                                                                   : put_points<double>(begin, end);
+    for (const Column& column : cloud_.columns) {
+      put_column(column, begin, end, offset);
+      offset += size_in_bytes(column.type);
+    }
+    return {bytes_.data(), bytes_.size()};
+  }
+
+ private:
+  template <class T>
+  std::size_t put_points(std::size_t begin, std::size_t end) {
+    char* to = bytes_.data();
+    for (std::size_t i = begin; i < end; ++i, to += record_) {
+      const Point& p = cloud_.points[i];
+      place(to, static_cast<T>(p.x));
+      place(to + sizeof(T), static_cast<T>(p.y));
+      place(to + 2 * sizeof(T), static_cast<T>(p.z));
+    }
+    return 3 * sizeof(T);
+  }
+
+  template <std::size_t size>
+  void put_values(const std::byte* from, std::size_t count, char* to) {
+    for (std::size_t i = 0; i < count; ++i, from += size, to += record_) {
+      std::memcpy(to, from, size);
+      if constexpr (std::endian::native == std::endian::big) std::reverse(to, to + size);
+    }
+  }
+
+  void put_column(const Column& column, std::size_t begin, std::size_t end, std::size_t offset) {
+    const std::size_t size = size_in_bytes(column.type);
+    const std::byte* from = column.bytes.data() + begin * size;
+    char* to = bytes_.data() + offset;
+    switch (size) {
+      case 1: return put_values<1>(from, end - begin, to);
+      case 2: return put_values<2>(from, end - begin, to);
+      case 4: return put_values<4>(from, end - begin, to);
+      default: return put_values<8>(from, end - begin, to);
+    }
+  }
+
+  const Cloud& cloud_;
+  std::size_t record_;
+  std::vector<char> bytes_;
+};
+
+void write_faces(SafeFile& file, const Triangles& triangles, const Run& run) {
+  constexpr std::size_t record = 1 + 3 * sizeof(Index), slice = 8192;
+  std::vector<char> bytes;
+  for (std::size_t begin = 0; begin < triangles.size(); begin += slice) {
+    if (begin % items_per_look == 0) run.progress(Stage::Write, begin, triangles.size());
+    const std::size_t end = std::min(triangles.size(), begin + slice);
+    bytes.resize((end - begin) * record);
+    char* to = bytes.data();
+    for (std::size_t t = begin; t < end; ++t, to += record) {
+      *to = 3;
+      for (std::size_t c = 0; c < 3; ++c) place(to + 1 + c * sizeof(Index), triangles[t][c]);
+    }
+    file.write({bytes.data(), bytes.size()});
+  }
+}
+
+}  // namespace
+
+void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, const Run& run) {
+  constexpr std::size_t slice = 8192;
+  file.write(header(cloud, triangles));
+  Records records(cloud);
+  for (std::size_t begin = 0; begin < cloud.points.size(); begin += slice) {
+    if (begin % items_per_look == 0) run.progress(Stage::Write, begin, cloud.points.size());
+    file.write(records.take(begin, std::min(cloud.points.size(), begin + slice)));
+  }
+  if (triangles != nullptr) write_faces(file, *triangles, run);
+}
+
+}  // namespace rimline::io

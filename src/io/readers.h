@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One reader per format. All throw CannotRead; none is called with an empty source. A cloud without points
+// is refused by the caller.
+#pragma once
+
+#include "io/source.h"
+#include "rimline/cloud.h"
+
+namespace rimline::io {
+
+Cloud read_ply(const Source& source, const Run& run);
+Cloud read_text(const Source& source, const Run& run);
+Cloud read_obj(const Source& source, const Run& run);
+Cloud read_off(const Source& source, const Run& run);
+Cloud read_pcd(const Source& source, const Run& run);
+Cloud read_stl_ascii(const Source& source, const Run& run);
+Cloud read_stl_binary(const Source& source, const Run& run);
+
+// True where the size is the one that the number of triangles in the header asks for.
+bool is_stl_binary(std::string_view bytes);
+
+// Tells the format by the content, then by the ending of the source's name, and reads it.
+Cloud read_any(const Source& source, const Run& run);
+
+}  // namespace rimline::io

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/safe_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+#include "rimline/io.h"
+
+namespace rimline {
+namespace io {
+namespace {
+
+constexpr std::size_t buffer_size = std::size_t{1} << 20;
+
+// The file that a chain of links ends in, so that a rename replaces that and not the link.
+std::string follow_links(const std::string& path) {
+  const std::unique_ptr<char, void (*)(void*)> real(::realpath(path.c_str(), nullptr), std::free);
+  return real ? real.get() : path;
+}
+
+std::string directory_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+std::string temporary_name(const std::string& target, int attempt) {
+  const std::size_t slash = target.rfind('/');
+  const std::size_t start = slash == std::string::npos ? 0 : slash + 1;
+  // Names of up to 255 bytes are allowed: leave room for what is added.
+  return target.substr(0, start) + "." + target.substr(start, 200) + ".rimline-" +
+         std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
+}
+
+template <class T>
+std::size_t print(char* to, std::size_t size, T value) {
+  return static_cast<std::size_t>(std::to_chars(to, to + size, value).ptr - to);
+}
+
+constexpr std::size_t longest_number = 32;
+
+}  // namespace
+
+SafeFile::SafeFile(std::string path) : path_(std::move(path)), buffer_(buffer_size) {
+  if (path_ == "-") {
+    descriptor_ = STDOUT_FILENO;
+    return;
+  }
+  target_ = follow_links(path_);
+  struct stat status {};
+  const bool exists = ::stat(target_.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) {
+    errno = EISDIR;
+    fail("cannot be written");
+  }
+  if (exists && !S_ISREG(status.st_mode)) {  // /dev/null must not be replaced by a file
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail("cannot be opened");
+    return;
+  }
+  open_temporary();
+  if (exists) (void)::fchmod(descriptor_, status.st_mode & 07777);
+}
+
+void SafeFile::open_temporary() {
+  constexpr int most_attempts = 1000;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    temporary_ = temporary_name(target_, attempt);
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ >= 0) return;
+    if (errno != EEXIST) break;
+  }
+  temporary_.clear();
+  if (errno == ENOENT) {
+    throw Error(ErrorCode::CannotWrite,
+                path_ + ": its directory '" + directory_of(target_) + "' does not exist; create it first");
+  }
+  fail("cannot be created in '" + directory_of(target_) + "'");
+}
+
+SafeFile::~SafeFile() {
+  if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void SafeFile::fail(const std::string& action) const {
+  const int reason = errno;
+  const std::string name = path_ == "-" ? "standard output" : path_;
+  std::string message = name + ": " + action + ": " + std::strerror(reason);
+  if (reason == ENOSPC || reason == EDQUOT) message += "; free some space or write elsewhere";
+  throw Error(ErrorCode::CannotWrite, message);
+}
+
+void SafeFile::write_through(const char* from, std::size_t size) {
+  while (size > 0) {
+    const ssize_t written = ::write(descriptor_, from, size);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("writing stopped");
+    from += written;
+    size -= static_cast<std::size_t>(written);
+  }
+}
+
+void SafeFile::flush() {
+  write_through(buffer_.data(), used_);
+  used_ = 0;
+}
+
+void SafeFile::write(std::string_view bytes) {
+  if (bytes.size() > buffer_.size() / 4) {
+    flush();
+    write_through(bytes.data(), bytes.size());
+    return;
+  }
+  if (bytes.empty()) return;
+  std::memcpy(room(bytes.size()), bytes.data(), bytes.size());
+  used_ += bytes.size();
+}
+
+void SafeFile::number(double value) {
+  char* to = room(longest_number);
+  used_ += print(to, longest_number, value);
+}
+void SafeFile::number(float value) {
+  char* to = room(longest_number);
+  used_ += print(to, longest_number, value);
+}
+void SafeFile::number(long long value) {
+  char* to = room(longest_number);
+  used_ += print(to, longest_number, value);
+}
+
+void SafeFile::commit() {
+  flush();
+  if (descriptor_ > STDERR_FILENO) {
+    const int closed = ::close(std::exchange(descriptor_, -1));
+    if (closed != 0) fail("writing stopped");  // some file systems say only now that the disk is full
+  }
+  if (temporary_.empty()) return;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot be replaced");
+  temporary_.clear();
+}
+
+}  // namespace io
+
+void write_text(const std::string& path, const std::string& text) {
+  io::SafeFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace rimline

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One writer per format, into an open file. Triangles have ids within the cloud.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "io/safe_file.h"
+#include "io/source.h"
+#include "rimline/cloud.h"
+#include "rimline/mesh.h"
+#include "rimline/run.h"
+
+namespace rimline::io {
+
+using Triangles = std::vector<Triangle>;
+
+// Without triangles the PLY has no element `face`.
+void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, const Run& run);
+void write_obj(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run);
+void write_off(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run);
+void write_stl(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run);
+void write_glb(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run);
+
+// The part of a path after its last dot, in lower case; "ply" for "-".
+std::string ending_of(const std::string& path);
+
+// Calls body(i) for i in [0, count), with a look at Run now and then.
+template <class Body>
+void for_each_written(std::size_t count, const Run& run, const Body& body) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % items_per_look == 0) run.progress(Stage::Write, i, count);
+    body(i);
+  }
+}
+
+// A coordinate as text with the digits that its type needs.
+inline void write_coordinate(SafeFile& file, double value, Scalar type) {
+  type == Scalar::Float32 ? file.number(static_cast<float>(value)) : file.number(value);
+}
+
+// "1.5 2 3"
+inline void write_point(SafeFile& file, Point p, Scalar type, char separator = ' ') {
+  write_coordinate(file, p.x, type);
+  file.write(separator);
+  write_coordinate(file, p.y, type);
+  file.write(separator);
+  write_coordinate(file, p.z, type);
+}
+
+// The sum of the cross products of the edges at each point, made to length 1; zero where there is none.
+std::vector<Point> normals_of_mesh(Points points, const Triangles& triangles);
+
+}  // namespace rimline::io

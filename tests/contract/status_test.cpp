@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each exit status, provoked, and what is left on the disk when it comes.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "tool.h"
+
+using namespace rimline::test;
+using Names = std::vector<std::string>;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string sample(const Folder& folder, const std::string& shape, const std::string& n) {
+  const std::string path = folder / "sample.ply";
+  REQUIRE(rimline::test::rimline({"sample", shape, "-n", n, "-o", path, "--quiet"}).status == 0);
+  return path;
+}
+
+// A square grid of side * side points, `dx` to the right.
+std::string grid(int side, double dx) {
+  std::string text;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) text += fmt::format("{} {} 0\n", x + dx, y);
+  }
+  return text;
+}
+
+// The loop around grid(side, 0).
+std::string rim_of_grid(int side) {
+  nlohmann::json points = nlohmann::json::array();
+  for (int i = 0; i < side - 1; ++i) points.push_back(i);
+  for (int i = 0; i < side - 1; ++i) points.push_back(i * side + side - 1);
+  for (int i = side - 1; i > 0; --i) points.push_back((side - 1) * side + i);
+  for (int i = side - 1; i > 0; --i) points.push_back(i * side);
+  return nlohmann::json{{"schema", 1}, {"loops", {{{"points", points}}}}}.dump();
+}
+
+}  // namespace
+
+TEST_CASE("status 2: an input that can not be read is named, and nothing is written") {
+  const Folder folder;
+  write_file(folder / "words.txt", "this is not a point\n");
+  write_file(folder / "empty.ply", "");
+  write_file(folder / "cut.ply",
+             "ply\nformat binary_little_endian 1.0\nelement vertex 1000\nproperty float x\nproperty float y\n"
+             "property float z\nend_header\nabc");
+  write_file(folder / "row.xyz", "0 0 0\n1 0 0\n0 one 0\n");
+  for (const std::string name : {"missing.ply", "words.txt", "empty.ply", "cut.ply", "row.xyz"}) {
+    const Finished refused =
+        rimline::test::rimline({"reconstruct", folder / name, "-o", folder / "mesh.ply", "--quiet"});
+    CAPTURE(refused.err);
+    CHECK(refused.status == 2);
+    CHECK(refused.out.empty());
+    CHECK(contains(refused.err, folder / name));
+  }
+  CHECK(contains(rimline::test::rimline({"info", folder / "row.xyz"}).err, "3"));  // the line
+  CHECK(folder.names() == Names{"cut.ply", "empty.ply", "row.xyz", "words.txt"});
+}
+
+TEST_CASE("status 2: a boundary made by hand that is no boundary of these points") {
+  const Folder folder;
+  write_file(folder / "grid.xyz", grid(12, 0));
+  for (const std::string text : {"{\"loops\": [{\"points\": [0, 1, 5000]}]}",
+                                 "{\"loops\": [{\"points\": [0]}]}", "{\"loops\": 7}", "{"}) {
+    write_file(folder / "loops.json", text);
+    const Finished refused =
+        rimline::test::rimline({"reconstruct", folder / "grid.xyz", "-o", folder / "mesh.ply", "--use-loops",
+                                folder / "loops.json"});
+    CAPTURE(refused.err);
+    CHECK(refused.status == 2);
+    CHECK(contains(refused.err, "loops.json"));
+  }
+  CHECK(folder.names() == Names{"grid.xyz", "loops.json"});
+}
+
+TEST_CASE("status 3: too few points") {
+  const Folder folder;
+  write_file(folder / "one.xyz", "1 2 3\n");
+  const Finished refused =
+      rimline::test::rimline({"reconstruct", folder / "one.xyz", "-o", folder / "mesh.ply"});
+  CHECK(refused.status == 3);
+  CHECK(folder.names() == Names{"one.xyz"});
+}
+
+TEST_CASE("status 3: points that no chain of neighbours joins to the loop are counted and named") {
+  const Folder folder;
+  write_file(folder / "two.xyz", grid(12, 0) + grid(12, 1000));
+  write_file(folder / "loops.json", rim_of_grid(12));
+  const Finished refused = rimline::test::rimline(
+      {"reconstruct", folder / "two.xyz", "-o", folder / "mesh.ply", "--use-loops", folder / "loops.json"});
+  CAPTURE(refused.err);
+  CHECK(refused.status == 3);
+  CHECK(contains(refused.err, "(144 points: 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, ...)"));
+  CHECK(folder.names() == Names{"loops.json", "two.xyz"});
+}
+
+TEST_CASE("status 4: a folder that is not there, or that takes no files") {
+  const Folder folder;
+  const std::string input = sample(folder, "flat-disc", "300");
+  for (const std::string& path : {folder / "no/mesh.ply", std::string("/proc/mesh.ply")}) {
+    const Finished refused = rimline::test::rimline({"reconstruct", input, "-o", path});
+    CAPTURE(refused.err);
+    CHECK(refused.status == 4);
+    CHECK(contains(refused.err, path));
+  }
+}
+
+TEST_CASE("status 4: a full disk leaves no partial file") {
+  const Folder folder;
+  const std::string input = sample(folder, "flat-disc", "2000");
+  const Finished refused =
+      run({.arguments = {"boundary", input, "-o", folder / "points.ply", "--quiet"}, .file_size = 20'000});
+  CAPTURE(refused.err);
+  CHECK(refused.status == 4);
+  CHECK(contains(refused.err, folder / "points.ply"));
+  CHECK(folder.names() == Names{"sample.ply"});
+}
+
+TEST_CASE("status 4: standard output that takes nothing") {
+  const Folder folder;
+  const std::string input = sample(folder, "flat-disc", "2000");
+  CHECK(run({.arguments = {"boundary", input, "-o", "-"}, .output_to = "/dev/full"}).status == 4);
+  CHECK(run({.arguments = {"info", input}, .output_to = "/dev/full"}).status == 4);
+  CHECK(run({.arguments = {"--help"}, .output_to = "/dev/full"}).status == 4);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve terabytes of addresses
+TEST_CASE("status 4: out of memory") {
+  const Folder folder;
+  const std::string input = sample(folder, "flat-disc", "300000");
+  const Finished refused =
+      run({.arguments = {"boundary", input, "-o", folder / "points.ply", "--threads", "1"},
+           .memory = std::size_t{100} << 20});
+  CAPTURE(refused.err);
+  CHECK(refused.status == 4);
+  CHECK(contains(refused.err, "memory"));
+  CHECK(folder.names() == Names{"sample.ply"});
+}
+#endif
+
+TEST_CASE("status 5: Ctrl-C while a stage runs ends it and leaves no file") {
+  const Folder folder;
+  const std::string input = sample(folder, "bumpy-square", "200000");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    for (const std::string stage : {"neighbours", "boundary", "loops"}) {
+      const Finished stopped = run(
+          {.arguments = {"reconstruct", input, "-o", folder / "mesh.ply", "--loops", folder / "loops.json"},
+           .terminal = true,
+           .signal = signal,
+           .signal_when = [&](const std::string& err, bool) { return contains(err, stage); }});
+      CAPTURE(stage);
+      CAPTURE(stopped.err);
+      CHECK(stopped.status == 5);
+      CHECK(contains(stopped.err, "rimline: interrupted"));
+      CHECK(folder.names() == Names{"sample.ply"});
+    }
+  }
+}
+
+TEST_CASE("status 5: Ctrl-C while the tool waits for standard input") {
+  const Folder folder;
+  const Finished stopped =
+      run({.arguments = {"reconstruct", "-", "-o", folder / "mesh.ply"},
+           .input = "0 0 0\n1 0 0\n",
+           .keep_input_open = true,
+           .signal = SIGINT,
+           .signal_when = [](const std::string&, bool input_taken) { return input_taken; }});
+  CAPTURE(stopped.err);
+  CHECK(stopped.status == 5);
+  CHECK(folder.names().empty());
+}

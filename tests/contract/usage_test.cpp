@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Status 1: what is refused before any work.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "rimline/options.h"
+#include "rimline/sample.h"
+#include "rimline/version.h"
+#include "tool.h"
+
+using namespace rimline::test;
+
+namespace {
+
+const std::vector<std::string> subcommands = {"boundary", "reconstruct", "parameterize", "info", "sample"};
+const std::vector<std::string> method_subcommands = {"boundary", "reconstruct", "parameterize"};
+
+std::string dashed(std::string field) {
+  for (char& c : field) c = c == '_' ? '-' : c;
+  return "--" + field;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// One line that begins as every message of the tool does.
+bool one_sentence(const std::string& text) {
+  return text.starts_with("rimline: ") && text.find('\n') == text.size() - 1;
+}
+
+}  // namespace
+
+TEST_CASE("the help of the tool and of every subcommand begins with an example") {
+  const Finished whole = rimline::test::rimline({"--help"});
+  CHECK(whole.status == 0);
+  CHECK(whole.out.starts_with("Example: rimline reconstruct "));
+  for (const auto& name : subcommands) {
+    CAPTURE(name);
+    CHECK(contains(whole.out, "\n  " + name + " "));
+    const Finished help = rimline::test::rimline({name, "--help"});
+    CHECK(help.status == 0);
+    CHECK(help.err.empty());
+    CHECK(help.out.starts_with("Example: rimline " + name + " "));
+    for (const char* flag : {"--preset", "--seed", "--threads", "--quiet", "--help", "--version"}) {
+      CAPTURE(flag);
+      CHECK(contains(help.out, flag));
+    }
+  }
+}
+
+TEST_CASE("every field of the options is a flag whose help gives its default") {
+  const rimline::Options options = rimline::preset_options(rimline::Preset::Default);
+  for (const auto& name : method_subcommands) {
+    const std::string help = rimline::test::rimline({name, "--help"}).out;
+    rimline::visit_fields(options, [&](const auto& field) {
+      CAPTURE(field.name);
+      const std::size_t at = help.find("\n  " + dashed(field.name) + " ");
+      REQUIRE(at != std::string::npos);
+      const std::size_t end = std::min(help.find("\n  --", at + 1), help.size());
+      CHECK(contains(help.substr(at, end - at), "Default"));
+    });
+  }
+}
+
+TEST_CASE("the help of sample lists every shape and every sampling") {
+  const std::string help = rimline::test::rimline({"sample", "--help"}).out;
+  for (const auto shape : rimline::all_shapes()) CHECK(contains(help, name(shape)));
+  for (const auto sampling : rimline::all_samplings()) CHECK(contains(help, name(sampling)));
+}
+
+TEST_CASE("the tool and every subcommand give the version") {
+  const std::string line = std::string("rimline ") + rimline::version + "\n";
+  CHECK(rimline::test::rimline({"--version"}).out == line);
+  for (const auto& name : subcommands) {
+    const Finished version = rimline::test::rimline({name, "--version"});
+    CHECK(version.status == 0);
+    CHECK(version.out == line);
+  }
+}
+
+TEST_CASE("a value out of range is refused in one sentence with flag, value, range and where to look") {
+  const rimline::Options options;
+  for (const auto& name : method_subcommands) {
+    rimline::visit_fields(options, [&](const auto& field) {
+      const Finished refused =
+          rimline::test::rimline({name, "no.ply", "-o", "out.ply", dashed(field.name), "-7"});
+      CAPTURE(refused.err);
+      CHECK(refused.status == 1);
+      CHECK(one_sentence(refused.err));
+      CHECK(contains(refused.err, dashed(field.name) + " "));
+      CHECK(contains(refused.err, "'-7'"));
+      CHECK(contains(refused.err, "rimline " + name + " --help"));
+      if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(field.value)>>) {
+        CHECK(contains(refused.err, fmt::format("from {} to {}", field.least, field.most)));
+      }
+    });
+  }
+}
+
+TEST_CASE("bad usage ends with status 1, one sentence and nothing on standard output") {
+  using Arguments = std::vector<std::string>;
+  const std::vector<std::pair<Arguments, std::string>> cases = {
+      {{}, "subcommand"},
+      {{"frobnicate"}, "'frobnicate'"},
+      {{"--frobnicate"}, "'--frobnicate'"},
+      {{"boundary", "a.ply", "--frobnicate"}, "'--frobnicate'"},
+      {{"boundary", "a.ply", "b.ply"}, "'b.ply'"},
+      {{"boundary"}, "IN"},
+      {{"reconstruct", "a.ply"}, "--output"},
+      {{"boundary", "a.ply", "--k"}, "--k"},
+      {{"boundary", "a.ply", "--k", "many"}, "'many'"},
+      {{"boundary", "a.ply", "--k", "40.5"}, "'40.5'"},
+      {{"boundary", "a.ply", "--significance", "nan"}, "'nan'"},
+      {{"boundary", "a.ply", "--seed", "-1"}, "'-1'"},
+      {{"boundary", "a.ply", "--threads", "-1"}, "'-1'"},
+      {{"boundary", "a.ply", "--preset", "best"}, "default, paper, paper-log"},
+      {{"reconstruct", "a.ply", "-o", "m.ply", "--up", "0,0"}, "'0,0'"},
+      {{"reconstruct", "a.ply", "-o", "m.ply", "--up", "0,0,0"}, "'0,0,0'"},
+      {{"reconstruct", "a.ply", "-o", "mesh.docx"}, "mesh.docx"},
+      {{"reconstruct", "a.ply", "-o", "mesh"}, "mesh"},
+      {{"boundary", "a.ply", "--loops", "loops.txt"}, "loops.txt"},
+      {{"boundary", "a.ply", "--report", "report.txt"}, "report.txt"},
+      {{"boundary", "a.ply", "--picture", "p.gif"}, "p.gif"},
+      {{"boundary", "a.ply", "--picture", "-"}, "--picture"},
+      {{"boundary", "a.ply", "--loops", "x.json", "--report", "./x.json"}, "--report"},
+      {{"boundary", "a.ply", "--loops", "-", "--report", "-"}, "--report"},
+      {{"boundary", "-", "--use-loops", "-"}, "standard input"},
+      {{"sample", "cube", "-n", "10", "-o", "s.ply"}, "'cube'"},
+      {{"sample", "flat-disc", "-o", "s.ply"}, "-n"},
+      {{"sample", "flat-disc", "-n", "0", "-o", "s.ply"}, "'0'"},
+      {{"sample", "flat-disc", "-n", "100", "-o", "s.ply", "--noise", "-1"}, "'-1'"},
+      {{"sample", "flat-disc", "-n", "100", "-o", "s.ply", "--sampling", "even"}, "'even'"},
+      {{"sample", "flat-disc", "-n", "100", "-o", "s.xyz"}, "s.xyz"},
+  };
+  for (const auto& [arguments, named] : cases) {
+    const Finished refused = rimline::test::rimline(arguments);
+    CAPTURE(named);
+    CAPTURE(refused.err);
+    CHECK(refused.status == 1);
+    CHECK(refused.out.empty());
+    CHECK(one_sentence(refused.err));
+    CHECK(contains(refused.err, named));
+    CHECK(contains(refused.err, "--help"));
+  }
+}
+
+TEST_CASE("a mesh that could not be written is refused before the input is looked at") {
+  CHECK(rimline::test::rimline({"reconstruct", "/no/such.ply", "-o", "mesh.docx"}).status == 1);
+  CHECK(rimline::test::rimline({"reconstruct", "/no/such.ply", "-o", "/no/such/mesh.ply"}).status == 4);
+}

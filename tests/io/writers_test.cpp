@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/stat.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "io/files.h"
+
+namespace rimline {
+namespace {
+
+namespace fs = std::filesystem;
+
+Cloud square() {
+  Cloud cloud;
+  cloud.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 1e-7}};
+  return cloud;
+}
+
+const std::vector<Triangle> two = {{0, 1, 2}, {0, 2, 3}};
+
+std::string mesh_bytes(const std::string& name, const Cloud& cloud) {
+  const TemporaryDirectory directory;
+  write_mesh(directory.file(name), cloud, two, {});
+  CHECK(directory.names() == std::vector<std::string>{name});
+  return content_of(directory.file(name));
+}
+
+TEST_CASE("an OFF mesh has the shortest text that reads back the same") {
+  CHECK(mesh_bytes("m.off", square()) == "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0.1\n0 1 1e-07\n3 0 1 2\n3 0 2 3\n");
+  Cloud floats = square();
+  floats.coordinate_type = Scalar::Float32;
+  floats.points[2].z = static_cast<double>(0.1f);
+  CHECK(contains(mesh_bytes("m.off", floats), "\n1 1 0.1\n"));
+  CHECK(read_bytes("m.off", mesh_bytes("m.off", square())).points == square().points);
+}
+
+TEST_CASE("an OBJ mesh has texture and normals with the numbers of the vertices") {
+  Cloud cloud = square();
+  const std::string bare = mesh_bytes("m.obj", cloud);
+  CHECK(contains(bare, "v 1 1 0.1\n"));
+  CHECK(contains(bare, "\nf 1//1 2//2 3//3\nf 1//1 3//3 4//4\n"));
+  set_column(cloud, make_column("u", std::vector<double>{0, 1, 1, std::nan("")}));
+  set_column(cloud, make_column("v", std::vector<double>{0, 0, 0.5, 1}));
+  for (const char* axis : {"nx", "ny", "nz"})
+    set_column(cloud, make_column(axis, std::vector<float>(4, 0.6f)));
+  const std::string full = mesh_bytes("m.obj", cloud);
+  CHECK(contains(full, "\nvt 1 0.5\nvt 0 1\nvn 0.6 0.6 0.6\n"));
+  CHECK(contains(full, "\nf 1/1/1 2/2/2 3/3/3\n"));
+  CHECK(read_bytes("m.obj", full).points == cloud.points);
+}
+
+TEST_CASE("an STL mesh is read back with the points of its triangles") {
+  const std::string bytes = mesh_bytes("m.stl", square());
+  CHECK(bytes.size() == 84 + 2 * 50);
+  Cloud back = read_bytes("m.stl", bytes);
+  REQUIRE(back.points.size() == 4);
+  CHECK(back.points[2].z == static_cast<double>(0.1f));
+}
+
+template <class T>
+T number_at(const std::string& bytes, std::size_t at) {
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof(T));
+  return value;
+}
+
+TEST_CASE("a glTF binary keeps large coordinates by the translation of its node") {
+  Cloud cloud;
+  cloud.points = {
+      {500000.001, 4e6, 10}, {500001.001, 4e6, 10}, {500001.001, 4e6 + 1, 10.5}, {std::nan(""), 0, 0}};
+  set_column(cloud, make_column("u", std::vector<double>{0, 1, 1, std::nan("")}));
+  set_column(cloud, make_column("v", std::vector<double>{0, 0, 0.25, 1}));
+  for (const char* c : {"red", "green", "blue"})
+    set_column(cloud, make_column(c, std::vector<std::uint8_t>{1, 2, 3, 4}));
+  const TemporaryDirectory directory;
+  write_mesh(directory.file("m.glb"), cloud, {{0, 1, 2}}, {});
+  const std::string bytes = content_of(directory.file("m.glb"));
+  CHECK(bytes.substr(0, 4) == "glTF");
+  CHECK(number_at<std::uint32_t>(bytes, 4) == 2);
+  CHECK(number_at<std::uint32_t>(bytes, 8) == bytes.size());
+  const std::size_t json_size = number_at<std::uint32_t>(bytes, 12);
+  const auto json = nlohmann::json::parse(bytes.substr(20, json_size));
+  const std::size_t buffer = 20 + json_size + 8;
+  CHECK(number_at<std::uint32_t>(bytes, 20 + json_size) == bytes.size() - buffer);
+  CHECK(json["buffers"][0]["byteLength"] == bytes.size() - buffer);
+  const auto translation = json["nodes"][0]["translation"].get<std::vector<double>>();
+  const auto& primitive = json["meshes"][0]["primitives"][0];
+  const auto offset_of = [&](int accessor) {
+    return buffer + json["bufferViews"][json["accessors"][accessor]["bufferView"].get<int>()]["byteOffset"]
+                        .get<std::size_t>();
+  };
+  const std::size_t position = offset_of(primitive["attributes"]["POSITION"]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(std::abs(translation[0] + number_at<float>(bytes, position + 12 * i) - cloud.points[i].x) < 1e-6);
+    CHECK(std::abs(translation[1] + number_at<float>(bytes, position + 12 * i + 4) - cloud.points[i].y) <
+          1e-6);
+  }
+  CHECK(number_at<float>(bytes, position + 36) == 0);
+  const std::size_t texture = offset_of(primitive["attributes"]["TEXCOORD_0"]);
+  CHECK(number_at<float>(bytes, texture + 16) == 1);
+  CHECK(number_at<float>(bytes, texture + 20) == 0.75f);
+  const std::size_t normal = offset_of(primitive["attributes"]["NORMAL"]);
+  const Point n{number_at<float>(bytes, normal), number_at<float>(bytes, normal + 4),
+                number_at<float>(bytes, normal + 8)};
+  CHECK(std::abs(norm(n) - 1) < 1e-6);
+  CHECK(n.z > 0.8);
+  CHECK(bytes.substr(offset_of(primitive["attributes"]["COLOR_0"]), 8) == "\x01\x01\x01\xff\x02\x02\x02\xff");
+  const std::size_t indices = offset_of(primitive["indices"]);
+  CHECK(number_at<std::uint32_t>(bytes, indices + 8) == 2);
+  CHECK(indices + 12 == bytes.size());
+}
+
+TEST_CASE("an unknown ending of a mesh is a bad option") {
+  CHECK_NOTHROW(check_mesh_path("-"));
+  CHECK_NOTHROW(check_mesh_path("a.b/C.PLY"));
+  for (const char* path : {"mesh.xyz", "mesh", "a.ply/mesh"}) CHECK_THROWS_AS(check_mesh_path(path), Error);
+}
+
+std::string write_complaint(const std::string& path) {
+  try {
+    write_cloud(path, square(), {});
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::CannotWrite);
+    return error.what();
+  }
+  return {};
+}
+
+TEST_CASE("what can not be written is named with the reason") {
+  const TemporaryDirectory directory;
+  CHECK(contains(write_complaint(directory.file("no/such/a.ply")), "no/such' does not exist"));
+  CHECK(contains(write_complaint(directory.file("")), "Is a directory"));
+  CHECK(directory.names().empty());
+  if (fs::exists("/dev/full")) CHECK(contains(write_complaint("/dev/full"), "No space left on device"));
+}
+
+TEST_CASE("a cancelled write leaves the old file and nothing beside it") {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("a.ply", "old");
+  Cloud cloud;
+  cloud.points.resize(300000);
+  std::atomic<bool> stop = false;
+  Run run;
+  run.stop = &stop;
+  std::size_t names_during = 0;
+  run.on_progress = [&](Progress progress) {
+    names_during = std::max(names_during, directory.names().size());
+    if (progress.done > 0) stop = true;
+  };
+  CHECK_THROWS_AS(write_cloud(path, cloud, run), Error);
+  CHECK(names_during == 2);
+  CHECK(directory.names() == std::vector<std::string>{"a.ply"});
+  CHECK(content_of(path) == "old");
+}
+
+TEST_CASE("a file is replaced through its link and keeps its permissions") {
+  const TemporaryDirectory directory;
+  const std::string target = directory.file("target.txt", "old");
+  fs::permissions(target, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink(target, directory.file("link.txt"));
+  write_text(directory.file("link.txt"), "new");
+  CHECK(fs::is_symlink(directory.file("link.txt")));
+  CHECK(content_of(target) == "new");
+  CHECK(fs::status(target).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+}  // namespace
+}  // namespace rimline

@@ -1,0 +1,23 @@
+# Builds and runs stranger/ in WORK, with rimline taken in by WAY. Stops at the first step that fails.
+function(must)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "failed (${status}): ${ARGN}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+set(options -G Ninja -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_COMPILER=${COMPILER}
+  -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D WAY=${WAY})
+if(SANITIZE)
+  list(APPEND options -D CMAKE_CXX_FLAGS=-fsanitize=${SANITIZE})
+endif()
+if(WAY STREQUAL "find_package")
+  must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+  list(APPEND options -D CMAKE_PREFIX_PATH=${WORK}/prefix)
+else()
+  list(APPEND options -D RIMLINE_SOURCE=${SOURCE})
+endif()
+must(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/stranger -B ${WORK}/build ${options})
+must(${CMAKE_COMMAND} --build ${WORK}/build --target stranger)
+must(${WORK}/build/stranger)
