@@ -88,7 +88,7 @@ class Survey {
     summary.history.assign(options_.rim_generations, {});
     for (int round = 0; round < 2; ++round) {
       LocalSizes sizes(complex_, neighbours_);
-      RimSearchResult found = search_rim(complex_, sizes, o, run_);
+      RimSearchResult found = search_rim(complex_, sizes, bar_gaps(), o, run_);
       summary.doubtful += found.doubtful;
       summary.groups += found.groups;
       summary.greedy += found.greedy;
@@ -105,6 +105,18 @@ class Survey {
         fill_notches(complex_, spacing_, largest_mended);
       }
     }
+  }
+
+  // Marks the points of rims that are no boundary, as they stand: at creases and thin walls stars do not
+  // agree and leave gaps, which the search would only tear open.
+  std::vector<std::uint8_t> bar_gaps() const {
+    const Kept all(complex_.size(), 1);
+    std::vector<std::uint8_t> barred(points_.size(), 0);
+    for (const auto& loop : walk_rims(complex_, all)) {
+      if (rim_probability(loop, all) >= 0.5) continue;
+      for (const Index v : loop) barred[v] = 1;
+    }
+    return barred;
   }
 
   void measure_sheets() {
@@ -133,11 +145,12 @@ class Survey {
     }
   }
 
-  Index triangle_at(Index a, Index b) const {
+  Index triangle_at(Index a, Index b) const { return triangle_at(a, b, kept_); }
+  Index triangle_at(Index a, Index b, const Kept& kept) const {
     Index found[2];
     const int count = complex_.edge(a, b, found);
     for (int i = 0; i < count; ++i) {
-      if (kept_[found[i]]) return found[i];
+      if (kept[found[i]]) return found[i];
     }
     return none;
   }
@@ -149,7 +162,7 @@ class Survey {
       c.loop.component = sheets_.of_triangle[t];
       c.loop.points = std::move(ids);
       c.loop.length = loop_length(points_, c.loop.points);
-      c.loop.probability = loop_probability(c.loop.points);
+      c.loop.probability = rim_probability(c.loop.points, kept_);
       c.returned = static_cast<int>(c.loop.points.size()) >= options_.min_loop &&
                    c.loop.probability >= options_.min_probability &&
                    result_.components[c.loop.component].triangles >= least_sheet;
@@ -157,15 +170,17 @@ class Survey {
     }
   }
 
-  double loop_probability(const std::vector<Index>& ids) const {
+  double rim_probability(const std::vector<Index>& ids, const Kept& kept) const {
     std::vector<double> empty;
+    double thickness = 0;
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const Index a = ids[i], b = ids[i + 1 < ids.size() ? i + 1 : 0];
-      const Index t = triangle_at(a, b);
+      const Index t = triangle_at(a, b, kept);
       empty.push_back(emptiness_beyond(points_, neighbours_, spacing_, a, b, complex_.apex(t, a, b)));
+      thickness += frames_[a].thickness / static_cast<double>(ids.size());
     }
     std::nth_element(empty.begin(), empty.begin() + empty.size() / 2, empty.end());
-    return exact::loop_probability(ids.size(), empty[empty.size() / 2]);
+    return loop_probability(ids.size(), empty[empty.size() / 2], thickness);
   }
 
   // How much a loop looks like the outer one of its component: its extent, more where the surface lies inside
