@@ -38,10 +38,10 @@ const char* name(LoopPolicy policy);
 
 struct ExactLoopOptions {
   LoopPolicy loop_policy = LoopPolicy::All;
-  int min_loop = 6;           // points of a loop that is returned, at least 3
+  int min_loop = 6;              // points of a loop that is returned, at least 3
   double min_probability = 0.5;  // of a loop that is returned
-  int population = 12;        // chromosomes per group of doubtful triangles
-  int generations = 30;       // at most; 0 switches the search off: each triangle is decided by its own size
+  int population = 12;           // chromosomes per group of doubtful triangles
+  int generations = 30;  // at most; 0 switches the search off: each triangle is decided by its own size
   double length_exponent = 0.9;  // of the number of points in eq. (3)
 };
 
@@ -55,9 +55,9 @@ struct SurfaceComponent {
 
 // The genetic search, over all groups of doubtful triangles.
 struct RimSearchSummary {
-  std::size_t doubtful = 0;     // triangles that the search decides on: the bits of its chromosomes
-  std::size_t groups = 0;       // of them that do not influence each other
-  double greedy = 0, best = 0;  // fitness of the choice by size alone, and of the best chromosomes
+  std::size_t doubtful = 0;         // triangles that the search decides on: the bits of its chromosomes
+  std::size_t groups = 0;           // of them that do not influence each other
+  double greedy = 0, best = 0;      // fitness of the choice by size alone, and of the best chromosomes
   std::vector<Generation> history;  // summed over the groups
 };
 

@@ -6,8 +6,8 @@
 
 namespace rimline::exact {
 
-double emptiness_beyond(Points points, const Neighbours& neighbours, const std::vector<double>& spacing, Index a,
-                        Index b, Index inner) {
+double emptiness_beyond(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                        Index a, Index b, Index inner) {
   constexpr double most = 5;
   const double h = std::max(spacing[a], spacing[b]);
   const Point middle = 0.5 * (points[a] + points[b]);

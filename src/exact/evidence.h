@@ -13,7 +13,7 @@ namespace rimline::exact {
 // the edge: the least over directions that leave the edge within 60 degrees of the plane of its triangle
 // (with third corner `inner`). At most 5. Beyond a true boundary there is nothing in any of them; beyond the
 // end of what could be triangulated at a crease or a thin wall, the surface goes on at an angle.
-double emptiness_beyond(Points points, const Neighbours& neighbours, const std::vector<double>& spacing, Index a,
-                        Index b, Index inner);
+double emptiness_beyond(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                        Index a, Index b, Index inner);
 
 }  // namespace rimline::exact

@@ -243,12 +243,14 @@ class Survey {
         rate(ids[i], c, notch_log_odds(complex_, sizes, weights, run), true);
         // The point behind the next edge would be on the rim if its triangle were left out.
         const Index inner = complex_.apex(triangle_at(run[2], run[3]), run[2], run[3]);
-        rate(inner, c, notch_log_odds(complex_, sizes, weights, {run[1], run[2], inner, run[3], run[4]}), false);
+        rate(inner, c, notch_log_odds(complex_, sizes, weights, {run[1], run[2], inner, run[3], run[4]}),
+             false);
       }
     }
     for (Loop& loop : result_.loops) {
       double sum = 0;  // eq. (3), on the log score -log(1 - p)
-      for (const Index id : loop.points) sum -= std::log1p(-std::min(0.999999, double{result_.probability[id]}));
+      for (const Index id : loop.points)
+        sum -= std::log1p(-std::min(0.999999, double{result_.probability[id]}));
       loop.fitness = sum / std::pow(static_cast<double>(loop.points.size()), options_.length_exponent);
     }
   }

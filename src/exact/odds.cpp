@@ -34,8 +34,8 @@ double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeight
   for (const Index v : triangle) largest = std::max(largest, sizes.own(v));
   const Points p = complex.points();
   const double own = std::clamp(std::log(circumradius(p[a], p[b], p[c]) / largest), -1.0, 3.0);
-  const double open = cost(turning(complex, before, a, b), weights) + cost(turning(complex, a, b, c), weights) +
-                      cost(turning(complex, b, c, after), weights);
+  const double open = cost(turning(complex, before, a, b), weights) +
+                      cost(turning(complex, a, b, c), weights) + cost(turning(complex, b, c, after), weights);
   const double filled =
       cost(turning(complex, before, a, c), weights) + cost(turning(complex, a, c, after), weights);
   return weights.open + weights.size * ratio + weights.own * own - open + filled;

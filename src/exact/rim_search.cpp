@@ -13,13 +13,13 @@ namespace {
 
 // The doubtful triangles, and how they hang together.
 struct Doubt {
-  std::vector<Index> triangles;                // ascending
-  std::vector<double> gain;                    // of leaving each out, before corners are looked at
-  std::vector<std::uint8_t> oversized;         // the choice by size alone: left out
+  std::vector<Index> triangles;         // ascending
+  std::vector<double> gain;             // of leaving each out, before corners are looked at
+  std::vector<std::uint8_t> oversized;  // the choice by size alone: left out
   std::vector<double> log_ratio, own;
-  std::vector<std::array<Index, 3>> beside;      // the triangles across its edges, or none
-  std::vector<std::array<double, 3>> contrast;   // worth of a rim between it, left out, and each of them, kept
-  std::vector<Index> vertices;                 // of these triangles, ascending
+  std::vector<std::array<Index, 3>> beside;     // the triangles across its edges, or none
+  std::vector<std::array<double, 3>> contrast;  // worth of a rim between it, left out, and each of them, kept
+  std::vector<Index> vertices;                  // of these triangles, ascending
   std::vector<std::array<std::uint32_t, 3>> slots;  // position of each triangle's vertices in `vertices`
 };
 
@@ -323,7 +323,8 @@ RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const RimS
     double best = 0;
     int stale = 0;
     for (int i = 0; i < options.generations; ++i) {
-      const bool agree = std::all_of(members.begin(), members.end(), [&](const auto& m) { return m.genes == members[0].genes; });
+      const bool agree = std::all_of(members.begin(), members.end(),
+                                     [&](const auto& m) { return m.genes == members[0].genes; });
       if (!agree && stale < 4) search.breed(members);
       best = std::max_element(members.begin(), members.end(), better)->fitness;
       double mean = 0;

@@ -23,7 +23,7 @@ struct RimSearchResult {
   Kept kept;
   std::size_t doubtful = 0;  // bits over all chromosomes
   std::size_t groups = 0;
-  double greedy = 0, best = 0;  // fitness
+  double greedy = 0, best = 0;                     // fitness
   std::vector<double> history_best, history_mean;  // per generation, summed over the groups
 };
 

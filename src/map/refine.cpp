@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "map/embed.h"
+#include "map/topology.h"
 #include "map/weights.h"
 #include "mesh/constrained_delaunay.h"
 #include "mesh/flip.h"
@@ -53,6 +55,7 @@ class Refiner {
       const std::size_t flips = flip_edges(points_, mesh, run_);
       const EdgeQuality quality = edge_quality(points_, mesh, spacing_);
       patch.rounds.push_back({flips, quality.bad, quality.length});
+      if (round == 0 && quality.bad >= doubtful) check_topology();
       // Of two meshes over the same points the one of shorter edges is better; less is no progress.
       constexpr double progress = 1e-5;
       const bool better = quality.length < least * (1 - progress);
@@ -75,12 +78,25 @@ class Refiner {
 
  private:
   static constexpr double rough = 1e-6;  // residual of the maps that only lead to the next mesh
+  // A disc drawn over a handle or a one-sided strip has at least one bad edge for each point around it.
+  static constexpr std::size_t doubtful = 8;
+
+  void check_topology() const {
+    constexpr double enough = 0.5;  // of the points, for the verdict to count
+    const Topology topology = find_topology(stars_);
+    if (topology.coverage < enough) return;
+    if (!topology.orientable) throw Error(ErrorCode::NotADisc, "the surface is one-sided (not orientable)");
+    if (topology.genus > 0) {
+      throw Error(ErrorCode::NotADisc, "the surface is no disc: it has " + std::to_string(topology.genus) +
+                                           (topology.genus == 1 ? " handle" : " handles"));
+    }
+  }
 
   // The first map knows neighbours only, and rims may cross in it: then once more, the rims stiffer.
   Triangulation triangulate_first() {
-    const Stars stars = find_stars(points_, neighbours_, {}, {}, run_);
+    stars_ = find_stars(points_, neighbours_, {}, {}, run_);
     for (const double stiffness : {1.0, 10.0, 100.0}) {
-      map_neighbours(stars, stiffness);
+      map_neighbours(stiffness);
       try {
         return triangulate();
       } catch (const Error& error) {
@@ -91,11 +107,11 @@ class Refiner {
   }
 
   // eq. (4) with the local Voronoi cells as neighbourhoods.
-  void map_neighbours(const Stars& stars, double stiffness) {
+  void map_neighbours(double stiffness) {
     const Index nodes = static_cast<Index>(uv_.size());
     std::vector<char> fixed(nodes, 0);
     for (const Index i : loops_.front().points) fixed[i] = 1;
-    std::vector<WeightedEdge> edges = star_edges(stars);
+    std::vector<WeightedEdge> edges = star_edges(stars_);
     add_wheels(loops_, static_cast<Index>(points_.size()), stiffness, edges);
     Graph graph = make_graph(nodes, edges);
     if (!unreachable(graph, fixed).empty()) {
@@ -119,6 +135,7 @@ class Refiner {
   const RefineOptions& options_;
   const Run& run_;
   std::vector<double> spacing_;
+  Stars stars_;
   std::vector<UV> uv_;  // points, then the centres of the holes
   Triangulation mesh_;  // the best so far
 };
