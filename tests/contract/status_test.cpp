@@ -19,7 +19,9 @@ bool contains(const std::string& text, const std::string& part) {
 
 std::string sample(const Folder& folder, const std::string& shape, const std::string& n) {
   const std::string path = folder / "sample.ply";
-  REQUIRE(rimline::test::rimline({"sample", shape, "-n", n, "-o", path, "--quiet"}).status == 0);
+  const Finished done =
+      rimline::test::rimline({"sample", shape, "-n", n, "--sampling", "random", "-o", path, "--quiet"});
+  REQUIRE(done.status == 0);
   return path;
 }
 
