@@ -169,7 +169,10 @@ void add_output(CLI::App& command, std::string& output, const std::string& value
 
 void add_method(CLI::App& command, MethodArguments& arguments) {
   const std::string files = "Files";
-  command.add_option("--loops", arguments.loops, "Write the loops (JSON, schema 1); - for standard output")
+  command
+      .add_option("--loops", arguments.loops,
+                  "Write the loops: json (schema 1), geojson, wkt, csv, ply (edges), obj (lines) or dxf; - "
+                  "is JSON on standard output")
       ->type_name("LOOPS.json")
       ->group(files);
   command

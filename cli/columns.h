@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results as properties of the points: what POINTS.ply and MESH.ply hold beside the input's own.
+// Results as properties of the points: what POINTS.ply and MESH.ply hold beside the input's own. A property
+// of the input with one of these names is replaced: a `boundary` in the input is truth from elsewhere, not
+// ours.
 #pragma once
 
 #include <vector>
@@ -8,10 +10,6 @@
 #include "rimline/pipeline.h"
 
 namespace rimline::cli {
-
-// Puts a column behind the others, in the place of one with its name (a `boundary` in the input is truth
-// from elsewhere, not ours).
-void put_column(Cloud& cloud, Column column);
 
 // boundary (uchar), loop (int), candidate (uchar), p_value (double), score (double).
 void put_boundary_columns(Cloud& cloud, const BoundaryResult& result);

@@ -37,17 +37,6 @@ std::string wrapped(const std::string& text, std::size_t column) {
   return result;
 }
 
-// "-o, --output MESH", "IN".
-std::string label(const CLI::Option& option) {
-  if (option.get_positional()) return option.get_type_name();
-  std::string text;
-  for (const auto& shortened : option.get_snames()) text += "-" + shortened + ", ";
-  for (const auto& full : option.get_lnames()) text += "--" + full + ", ";
-  text.resize(text.size() - 2);
-  if (option.get_items_expected_max() > 0) text += " " + option.get_type_name();
-  return text;
-}
-
 std::string row(const std::string& left, const std::string& right) {
   std::string text = "  " + left;
   if (text.size() + 2 > text_column) {
@@ -73,12 +62,25 @@ std::vector<std::string> groups_of(const CLI::App& command) {
 std::string usage(const CLI::App& command) {
   std::string text = "Usage: rimline " + command.get_name();
   for (const CLI::Option* option : command.get_options()) {
-    if (option->get_required()) text += " " + label(*option);
+    if (!option->get_required()) continue;
+    const bool shortened = !option->get_positional() && !option->get_snames().empty();
+    text += shortened ? " -" + option->get_snames().front() + " " + option->get_type_name()
+                      : " " + label(*option);
   }
   return text + " [options]\n";
 }
 
 }  // namespace
+
+std::string label(const CLI::Option& option) {
+  if (option.get_positional()) return option.get_type_name();
+  std::string text;
+  for (const auto& shortened : option.get_snames()) text += "-" + shortened + ", ";
+  for (const auto& full : option.get_lnames()) text += "--" + full + ", ";
+  text.resize(text.size() - 2);
+  if (option.get_items_expected_max() > 0) text += " " + option.get_type_name();
+  return text;
+}
 
 std::string help_of_subcommand(const CLI::App& command) {
   std::string text = "Example: " + command.get_footer() + "\n\n";

@@ -11,4 +11,7 @@ namespace rimline::cli {
 std::string help_of_subcommand(const CLI::App& command);
 std::string help_of_tool(const CLI::App& tool);
 
+// "-o, --output MESH", "IN".
+std::string label(const CLI::Option& option);
+
 }  // namespace rimline::cli

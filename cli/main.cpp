@@ -52,6 +52,11 @@ std::string sentence(const CLI::App& tool, const CLI::ParseError& error, int arg
     if (extra.front().starts_with("-")) return fmt::format("there is no option '{}'", extra.front());
     return fmt::format("'{}' is one argument too many", extra.front());
   }
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    for (const CLI::Option* option : tool.get_subcommands().front()->get_options()) {
+      if (option->get_required() && option->count() == 0) return label(*option) + " is missing";
+    }
+  }
   return error.what();
 }
 

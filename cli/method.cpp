@@ -8,7 +8,7 @@ namespace rimline::cli {
 
 std::vector<Output> outputs_of(const MethodArguments& arguments, const Output& main_output) {
   return {main_output,
-          {"--loops", arguments.loops, {"json"}},
+          {"--loops", arguments.loops, {}, true, check_loops_path},
           {"--picture", arguments.picture, {"png", "svg"}, false},
           {"--report", arguments.report, {"json"}}};
 }
@@ -30,7 +30,7 @@ void finish(const MethodArguments& arguments, const std::vector<Output>& outputs
             const Report& report, Session& session) {
   const Run& run = session.run();
   run.check_cancel();
-  if (!arguments.loops.empty()) write_text(arguments.loops, loops_to_json(report.loops));
+  if (!arguments.loops.empty()) write_loops(arguments.loops, report.loops, scene.points, run);
   if (!arguments.picture.empty()) write_picture(arguments.picture, scene, run);
   run.check_cancel();
   if (!arguments.report.empty()) write_text(arguments.report, to_json(report));

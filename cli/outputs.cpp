@@ -22,6 +22,13 @@ void check_ending(const Output& output) {
     if (output.may_be_standard) return;
     throw Error(ErrorCode::BadOption, output.flag + " can not go to standard output; give it a file name");
   }
+  if (output.check != nullptr) {
+    try {
+      return output.check(output.path);
+    } catch (const Error& error) {
+      throw Error(error.code(), output.flag + " " + error.what());
+    }
+  }
   const auto& known = output.endings;
   if (std::find(known.begin(), known.end(), ending_of(output.path)) != known.end()) return;
   throw Error(ErrorCode::BadOption, fmt::format("{} wants a file name that ends in .{}, not '{}'",
@@ -50,7 +57,7 @@ void check_outputs(const std::vector<Output>& outputs) {
     check_ending(output);
     if (output.path != "-") check_place(output);
     std::error_code ignored;
-    const fs::path whole = fs::weakly_canonical(output.path, ignored);
+    const fs::path whole = fs::weakly_canonical(fs::absolute(output.path, ignored), ignored);
     if (!places.insert(output.path == "-" ? "-" : whole.string()).second) {
       throw Error(ErrorCode::BadOption,
                   fmt::format("{} goes to '{}', and so does another output", output.flag, output.path));

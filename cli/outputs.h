@@ -8,10 +8,11 @@
 namespace rimline::cli {
 
 struct Output {
-  std::string flag;                  // "--report", for the message
-  std::string path;                  // empty: not asked for; "-": standard output
-  std::vector<std::string> endings;  // lower case, without the dot
-  bool may_be_standard = true;       // "-" is allowed
+  std::string flag;                             // "--report", for the message
+  std::string path;                             // empty: not asked for; "-": standard output
+  std::vector<std::string> endings;             // lower case, without the dot; empty where `check` tells
+  bool may_be_standard = true;                  // "-" is allowed
+  void (*check)(const std::string&) = nullptr;  // throws Error{BadOption} for an ending it does not know
 };
 
 // Throws Error{BadOption} for an ending that is not known, two outputs in one place, or "-" where it can not

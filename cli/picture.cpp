@@ -126,8 +126,8 @@ Raster solid(const Stage3d& stage, const Run& run) {
   for (std::size_t i = 0; i < stage.place.size(); ++i) {
     if (i % 65536 == 0) run.check_cancel();
     if (stage.spacing[i] == 0) continue;
-    const Point behind = stage.place[i] - Point{0, 0, 2 * stage.spacing[i]};
-    raster.screen(finer(behind), fine * std::min(1.2 * stage.spacing[i], 40.0));
+    const Point behind = stage.place[i] - Point{0, 0, 5 * stage.spacing[i]};
+    raster.screen(finer(behind), fine * std::min(stage.spacing[i], 40.0));
   }
   return raster;
 }
@@ -146,16 +146,27 @@ void draw_points(Raster& raster, const Stage3d& stage, const Run& run, const Col
   }
 }
 
-// Lambert's cosine law with a light beside the eye; the two sides of the surface differ in colour.
-Colour shade(const Stage3d& stage, const Triangle& t) {
+// The unit normal of a triangle in the axes of the view; zero where it has no area.
+Point seen_normal(const Stage3d& stage, const Triangle& t) {
   const auto& p = stage.scene.points;
   const Point normal = cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
   const double length = norm(normal);
-  if (!(length > 0)) return back_colour;
-  const Point n = stage.view.project((1 / length) * normal);
-  const Point light = {-0.37, 0.52, 0.77};
+  return length > 0 ? stage.view.project((1 / length) * normal) : Point{};
+}
+
+constexpr Point light = {-0.37, 0.52, 0.77};  // beside the eye, above its left shoulder
+constexpr Colour shadow = {0.16, 0.16, 0.20};
+
+// Lambert's cosine law; the two sides of the surface differ in colour.
+Colour shade(const Stage3d& stage, const Triangle& t) {
+  const Point n = seen_normal(stage, t);
   const double facing = n.z >= 0 ? dot(n, light) : -dot(n, light);
-  return mix({0.16, 0.16, 0.20}, n.z >= 0 ? front_colour : back_colour, 0.30 + 0.75 * std::max(0.0, facing));
+  return mix(shadow, n.z >= 0 ? front_colour : back_colour, 0.30 + 0.75 * std::max(0.0, facing));
+}
+
+// The same light for the map, where all of the surface is seen at once: it fades evenly to the far side.
+Colour shade_all_round(const Stage3d& stage, const Triangle& t) {
+  return mix(shadow, front_colour, 0.25 + 0.40 * (1 + dot(seen_normal(stage, t), light)));
 }
 
 void draw_mesh(Raster& raster, const Stage3d& stage, const Run& run) {
@@ -219,6 +230,24 @@ void draw_loops(cairo_t* cairo, const Stage3d& stage, const Raster& hiding) {
   }
 }
 
+// The edges of the mesh as thin lines, each once, where `seen` says so.
+template <class Seen>
+void draw_edges(cairo_t* cairo, std::span<const Triangle> triangles, const std::vector<Point>& at,
+                const Seen& seen) {
+  if (triangles.size() * 3 / 2 > most_edges) return;
+  for (const Triangle& t : triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const Index from = t[i], to = t[(i + 1) % 3];
+      if (from > to || !seen(from, to)) continue;  // those on the boundary are drawn as loops
+      cairo_move_to(cairo, at[from].x, at[from].y);
+      cairo_line_to(cairo, at[to].x, at[to].y);
+    }
+  }
+  set_colour(cairo, ink, 0.45);
+  cairo_set_line_width(cairo, 0.35);
+  cairo_stroke(cairo);
+}
+
 void panel_points(cairo_t* cairo, const Stage3d& stage, const Raster& screen, const Run& run) {
   Raster raster = screen;
   draw_points(raster, stage, run,
@@ -253,20 +282,6 @@ std::vector<Point> places_in_uv(std::span<const UV> uv) {
   return places;
 }
 
-void draw_uv_edges(cairo_t* cairo, std::span<const Triangle> triangles, const std::vector<Point>& at) {
-  for (const Triangle& t : triangles) {
-    for (int i = 0; i < 3; ++i) {
-      const Index from = t[i], to = t[(i + 1) % 3];
-      if (from > to) continue;  // each inner edge once; those on the boundary are drawn as loops
-      cairo_move_to(cairo, at[from].x, at[from].y);
-      cairo_line_to(cairo, at[to].x, at[to].y);
-    }
-  }
-  set_colour(cairo, ink, 0.45);
-  cairo_set_line_width(cairo, 0.35);
-  cairo_stroke(cairo);
-}
-
 void draw_uv_loops(cairo_t* cairo, const std::vector<Loop>& loops, const std::vector<Point>& at) {
   cairo_set_line_width(cairo, 3.2);
   cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
@@ -288,7 +303,7 @@ void panel_map(cairo_t* cairo, const Stage3d& stage, const Run& run) {
   Raster raster(fine * panel, fine * panel);
   run.check_cancel();
   for (const Triangle& t : scene.triangles) {
-    raster.triangle(finer(at[t[0]]), finer(at[t[1]]), finer(at[t[2]]), shade(stage, t));
+    raster.triangle(finer(at[t[0]]), finer(at[t[1]]), finer(at[t[2]]), shade_all_round(stage, t));
   }
   if (scene.triangles.empty()) {
     for (const Point p : at) {
@@ -296,7 +311,7 @@ void panel_map(cairo_t* cairo, const Stage3d& stage, const Run& run) {
     }
   }
   paint(cairo, raster);
-  if (scene.triangles.size() * 3 / 2 <= most_edges) draw_uv_edges(cairo, scene.triangles, at);
+  draw_edges(cairo, scene.triangles, at, [](Index, Index) { return true; });
   draw_uv_loops(cairo, scene.boundary.loops, at);
 }
 
@@ -304,6 +319,9 @@ void panel_mesh(cairo_t* cairo, const Stage3d& stage, const Run& run) {
   Raster raster(fine * panel, fine * panel);
   draw_mesh(raster, stage, run);
   paint(cairo, raster);
+  draw_edges(cairo, stage.scene.triangles, stage.place, [&](Index from, Index to) {
+    return raster.sees(finer(0.5 * (stage.place[from] + stage.place[to])), fine * 0.5 * stage.spacing[from]);
+  });
   draw_loops(cairo, stage, raster);
 }
 

@@ -10,7 +10,7 @@ namespace rimline::cli {
 namespace {
 
 void run_reconstruct(const MethodArguments& arguments) {
-  const auto outputs = outputs_of(arguments, {"--output", arguments.output, {"ply", "obj", "off", "stl"}});
+  const auto outputs = outputs_of(arguments, {"--output", arguments.output, {}, true, check_mesh_path});
   check_outputs(outputs);
   Session session(arguments.common);
   Inputs in = read_inputs(arguments, session.run());
@@ -35,7 +35,7 @@ void add_reconstruct(CLI::App& tool) {
                      "Make a triangle mesh of the points that ends exactly at the boundary of their surface.",
                      "rimline reconstruct scan.ply -o mesh.ply --loops loops.json --report report.json");
   add_input(command, arguments->input);
-  add_output(command, arguments->output, "MESH.{ply,obj,off,stl}",
+  add_output(command, arguments->output, "MESH.{ply,obj,off,stl,glb}",
              "The input points as vertices, with triangles; PLY also has u, v and boundary, and goes to "
              "standard output for -",
              true);

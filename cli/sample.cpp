@@ -6,7 +6,6 @@
 
 #include <memory>
 
-#include "columns.h"
 #include "parse.h"
 #include "rimline/io.h"
 #include "session.h"
@@ -39,9 +38,9 @@ void run_sample(const SampleArguments& arguments) {
   Sample result = sample(arguments.options, session.run());
   Cloud cloud;
   cloud.points = std::move(result.points);
-  put_column(cloud, make_column("boundary", result.boundary));
+  set_column(cloud, make_column("boundary", result.boundary));
   write_cloud(arguments.output, cloud, session.run());
-  if (!arguments.truth.empty()) write_text(arguments.truth, loops_to_json(result.loops));
+  if (!arguments.truth.empty()) write_text(arguments.truth, loops_to_json(result.loops, cloud.points.size()));
   session.bar().erase();
   if (arguments.common.quiet) return;
   fmt::print(any_standard(outputs) ? stderr : stdout, "{} points of {}, {} loops, in {}\n",

@@ -10,9 +10,20 @@ namespace {
 
 struct Principal {
   Point centre;
+  Point box_centre;
   std::array<Point, 3> axes;         // of the largest spread first
   std::array<double, 3> deviations;  // standard deviation along each
 };
+
+Point box_centre(Points points) {
+  if (points.empty()) return {};
+  Point low = points.front(), high = low;
+  for (const Point p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return 0.5 * (low + high);
+}
 
 Principal principal_axes(Points points) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -27,6 +38,7 @@ Principal principal_axes(Points points) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance / count);
   Principal result;
   result.centre = {mean.x(), mean.y(), mean.z()};
+  result.box_centre = box_centre(points);
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d axis = solver.eigenvectors().col(2 - i);
     result.axes[i] = {axis.x(), axis.y(), axis.z()};
@@ -62,16 +74,21 @@ Point opening(Points points, const std::vector<Loop>& loops, Point centre) {
   return (1.0 / static_cast<double>(longest->points.size())) * sum - centre;
 }
 
+// The horizontal direction to look from: the front where there is one, else where the points are dense, which
+// is where the detail is (the face of a head), else along the longest axis.
+Point best_side(const Principal& principal, Point up, Point front) {
+  const auto level = [up](Point p) { return p - dot(p, up) * up; };
+  if (const Point side = level(front); norm(side) > 0.3) return unit(side);
+  const Point dense = level(principal.centre - principal.box_centre);
+  if (norm(dense) > 0.05 * principal.deviations[0]) return unit(dense);
+  const Point longest = level(principal.axes[0]);
+  return norm(longest) > 1e-3 ? unit(longest) : across(up);
+}
+
 // Mostly from the side, turned away from the axes and a little from above.
 View standing(const Principal& principal, Point up, Point front) {
-  Point side = front - dot(front, up) * up;
-  if (norm(side) < 0.3) {
-    const Point longest = principal.axes[0];
-    side = longest - dot(longest, up) * up;
-    if (norm(side) < 1e-3) side = across(up);
-  }
-  side = unit(side);
-  return look(0.8 * side + 0.5 * cross(up, side) + 0.3 * up, up);
+  const Point side = best_side(principal, up, front);
+  return look(0.8 * side + 0.45 * cross(up, side) + 0.28 * up, up);
 }
 
 // Down on the flat side, as one looks at a table.

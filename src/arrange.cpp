@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rimline/arrange.h"
 
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 #include "parallel.h"
@@ -46,16 +46,46 @@ std::uint64_t morton_code(Point p, Point low, double scale) {
          spread_bits(cell(p.z - low.z)) << 2;
 }
 
+// A point on its way to its place on the curve.
 struct Place {
   std::uint64_t code;
-  Point point;
   Index id;
-
-  friend bool operator<(const Place& a, const Place& b) {
-    return std::tie(a.code, a.point.x, a.point.y, a.point.z, a.id) <
-           std::tie(b.code, b.point.x, b.point.y, b.point.z, b.id);
-  }
 };
+
+// Sorts by code, in passes over groups of bits from the least to the most significant. Passes in which all
+// have the same bits are left out.
+void sort_by_code(std::vector<Place>& places) {
+  constexpr int bits = 11, passes = 6;  // 63 bits of the code, and counters that fit a first-level cache
+  constexpr std::size_t mask = (1 << bits) - 1;
+  std::vector<std::array<Index, mask + 1>> count(passes);
+  for (const Place& place : places) {
+    for (int pass = 0; pass < passes; ++pass) ++count[pass][place.code >> (pass * bits) & mask];
+  }
+  std::vector<Place> sorted(places.size());
+  for (int pass = 0; pass < passes; ++pass) {
+    const int shift = pass * bits;
+    std::array<Index, mask + 1>& start = count[pass];
+    if (start[places[0].code >> shift & mask] == static_cast<Index>(places.size())) continue;
+    std::exclusive_scan(start.begin(), start.end(), start.begin(), Index{0});
+    for (const Place& place : places) sorted[start[place.code >> shift & mask]++] = place;
+    places.swap(sorted);
+  }
+}
+
+// Sorts the points of each cell by their coordinates, then by id.
+void sort_within_cells(std::vector<Place>& places, Points points) {
+  for (auto first = places.begin(); first != places.end();) {
+    auto last = first + 1;
+    while (last != places.end() && last->code == first->code) ++last;
+    if (last - first > 1) {
+      std::sort(first, last, [&](const Place& a, const Place& b) {
+        const Point &p = points[a.id], &q = points[b.id];
+        return std::tie(p.x, p.y, p.z, a.id) < std::tie(q.x, q.y, q.z, b.id);
+      });
+    }
+    first = last;
+  }
+}
 
 bool are_mutual(const Neighbours& neighbours, Index a, Index b) {
   const auto list = neighbours.of(b);
@@ -76,7 +106,7 @@ Arrangement arrange(Points input, const Run& run) {
   for (Index i = 0; i < static_cast<Index>(input.size()); ++i) {
     if (is_finite(input[i])) {
       box.add(input[i]);
-      places.push_back({0, input[i], i});
+      places.push_back({0, i});
     } else {
       result.not_finite.push_back(i);
     }
@@ -87,18 +117,20 @@ Arrangement arrange(Points input, const Run& run) {
   constexpr double cells = (1 << 21) - 1;
   const double scale = box.extent() > 0 ? cells / box.extent() : 0;
   parallel_for_each(places.size(), Stage::Arrange, run,
-                    [&](Index i) { places[i].code = morton_code(places[i].point, box.low, scale); });
-  tbb::task_arena(thread_count(run)).execute([&] { tbb::parallel_sort(places.begin(), places.end()); });
+                    [&](Index i) { places[i].code = morton_code(input[places[i].id], box.low, scale); });
+  sort_by_code(places);
   run.check_cancel();
+  sort_within_cells(places, input);
 
   result.points.reserve(places.size());
   result.ids.reserve(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i > 0 && places[i].point == places[i - 1].point) {
-      result.duplicates.push_back(places[i].id);
+  for (const Place& place : places) {
+    const Point point = input[place.id];
+    if (!result.ids.empty() && point == input[result.ids.back()]) {
+      result.duplicates.push_back(place.id);
     } else {
-      result.points.push_back(places[i].point - result.origin);
-      result.ids.push_back(places[i].id);
+      result.points.push_back(point - result.origin);
+      result.ids.push_back(place.id);
     }
   }
   std::sort(result.duplicates.begin(), result.duplicates.end());
@@ -108,10 +140,17 @@ Arrangement arrange(Points input, const Run& run) {
 bool leave_out_stray(Arrangement& arrangement, const Neighbours& neighbours, int least_group) {
   const Index count = neighbours.size();
   UnionFind groups(count);
-  for (Index i = 0; i < count; ++i) {
-    for (const Index j : neighbours.of(i)) {
-      if (i < j && groups.find(i) != groups.find(j) && are_mutual(neighbours, i, j)) groups.join(i, j);
+  const auto join_mutual = [&](Index i, int nearest) {
+    for (const Index j : neighbours.of(i, nearest)) {
+      if (groups.find(i) != groups.find(j) && are_mutual(neighbours, i, j)) groups.join(i, j);
     }
+  };
+  // A few neighbours gather nearly all points into large groups. Whatever else could make a small group grow
+  // starts at one of its points, as mutual pairs are in both lists.
+  const int few = std::min(3, neighbours.k);
+  for (Index i = 0; i < count; ++i) join_mutual(i, few);
+  for (Index i = 0; i < count; ++i) {
+    if (groups.size_of(i) < least_group) join_mutual(i, neighbours.k);
   }
   std::size_t kept = 0;
   for (Index i = 0; i < count; ++i) {

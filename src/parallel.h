@@ -21,11 +21,12 @@ inline int thread_count(const Run& run) {
 }
 
 // Calls body(begin, end) over slices of [0, count). Progress is reported by the thread that called, between
-// batches of slices; a cancelled run throws Error{Cancelled} there.
+// batches of slices; a cancelled run throws Error{Cancelled} there. `grain` is the number of items in one
+// task, which should be long enough to hide its cost.
 template <class Body>
-void parallel_slices(std::size_t count, Stage stage, const Run& run, const Body& body) {
-  constexpr std::size_t grain = 1024;        // items in one task: long enough to hide its cost
-  constexpr std::size_t batch = 64 * grain;  // items between two looks at progress and cancel
+void parallel_slices(std::size_t count, Stage stage, const Run& run, const Body& body,
+                     std::size_t grain = 1024) {
+  const std::size_t batch = 64 * grain;  // items between two looks at progress and cancel
   tbb::task_arena arena(thread_count(run));
   for (std::size_t first = 0; first < count; first += batch) {
     run.progress(stage, first, count);
@@ -36,6 +37,19 @@ void parallel_slices(std::size_t count, Stage stage, const Run& run, const Body&
       });
     });
   }
+  run.progress(stage, count, count);
+}
+
+// Calls body(k) for every k in [0, count): few tasks, each long enough for a thread of its own.
+template <class Body>
+void parallel_tasks(std::size_t count, Stage stage, const Run& run, const Body& body) {
+  run.progress(stage, 0, count);
+  tbb::task_arena arena(thread_count(run));
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+      if (!run.cancelled()) body(k);
+    });
+  });
   run.progress(stage, count, count);
 }
 

@@ -46,6 +46,25 @@ TEST_CASE("permuting the input does not change the arranged points") {
   CHECK(arrange(points, {}).points == arrange(permuted, {}).points);
 }
 
+TEST_CASE("points within one cell of the curve are in an order that only their coordinates decide") {
+  // A far point makes the cells so large that all others share a few.
+  auto points = random_points(500, 6);
+  for (std::size_t i = 0; i < 100; ++i) points.push_back(points[3 * i]);
+  points.push_back({1e9, 1e9, 1e9});
+  auto permuted = points;
+  Random(10).shuffle(permuted);
+  const Arrangement a = arrange(points, {}), b = arrange(permuted, {});
+  CHECK(a.points == b.points);
+  CHECK(a.points.size() == 501);
+  for (std::size_t i = 0; i < 100; ++i) CHECK(a.duplicates[i] == 500 + static_cast<Index>(i));
+}
+
+TEST_CASE("the curve visits the eight cells of a cube in the order x, y, z") {
+  const std::vector<Point> cube{{1, 1, 1}, {0, 1, 1}, {1, 0, 1}, {0, 0, 1},
+                                {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}};
+  CHECK(arrange(cube, {}).ids == std::vector<Index>{7, 6, 5, 4, 3, 2, 1, 0});
+}
+
 TEST_CASE("points next to each other on the curve are near each other in space") {
   const auto points = random_points(20'000, 5);
   const Arrangement a = arrange(points, {});
@@ -67,6 +86,35 @@ TEST_CASE("a lonely point and a group of five, far away, are stray; a group of t
   CHECK(leave_out_stray(a, find_neighbours(a.points, 10, {})));
   CHECK(a.stray == std::vector<Index>{first, first + 1, first + 2, first + 3, first + 4, first + 5});
   CHECK(a.points.size() == points.size() - 6);
+}
+
+TEST_CASE("stray points are those of small parts of the mutual graph, by a walk over all of its edges") {
+  auto points = random_points(400, 8);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = 0.02 * points[i] + 1.0 * points[i - i % (2 + i % 13)];
+  }
+  const Arrangement all = arrange(points, {});
+  const Index count = static_cast<Index>(all.points.size());
+  const Neighbours neighbours = find_neighbours(all.points, 5, {});
+  std::vector<Index> expected;
+  for (Index start = 0; start < count; ++start) {
+    std::vector<Index> part{start};
+    for (std::size_t at = 0; at < part.size(); ++at) {
+      for (const Index j : neighbours.of(part[at])) {
+        const auto back = neighbours.of(j);
+        if (std::find(back.begin(), back.end(), part[at]) != back.end() &&
+            std::find(part.begin(), part.end(), j) == part.end()) {
+          part.push_back(j);
+        }
+      }
+    }
+    if (part.size() < 10) expected.push_back(all.ids[start]);
+  }
+  std::sort(expected.begin(), expected.end());
+  Arrangement a = all;
+  CHECK(leave_out_stray(a, neighbours));
+  CHECK(expected.size() > 20);
+  CHECK(a.stray == expected);
 }
 
 TEST_CASE("a clean disc has no stray points") {

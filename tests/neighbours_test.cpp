@@ -4,8 +4,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <tuple>
+
+#include "random.h"
+#include "shapes.h"
 
 namespace rimline {
 namespace {
@@ -33,7 +37,7 @@ std::vector<Index> nearest_by_brute_force(Points points, Index self, int k) {
     if (i != self)
       all.emplace_back(squared_distance(points[self], points[i]), points[i].x, points[i].y, points[i].z, i);
   }
-  std::sort(all.begin(), all.end());
+  std::partial_sort(all.begin(), all.begin() + k, all.end());
   std::vector<Index> ids;
   for (int j = 0; j < k; ++j) ids.push_back(std::get<4>(all[j]));
   return ids;
@@ -41,10 +45,17 @@ std::vector<Index> nearest_by_brute_force(Points points, Index self, int k) {
 
 void check_against_brute_force(Points points, int k) {
   const Neighbours neighbours = find_neighbours(points, k, {});
+  std::size_t wrong_lists = 0, wrong_distances = 0;
   for (Index i = 0; i < points.size(); ++i) {
     const auto list = neighbours.of(i);
-    CHECK(std::vector<Index>(list.begin(), list.end()) == nearest_by_brute_force(points, i, k));
+    wrong_lists +=
+        std::vector<Index>(list.begin(), list.end()) != nearest_by_brute_force(points, i, neighbours.k);
+    for (int j = 0; j < neighbours.k; ++j) {
+      wrong_distances += neighbours.distances_of(i)[j] != distance(points[i], points[list[j]]);
+    }
   }
+  CHECK(wrong_lists == 0);
+  CHECK(wrong_distances == 0);
 }
 
 TEST_CASE("the neighbours of random points are those of brute force") {
@@ -53,6 +64,74 @@ TEST_CASE("the neighbours of random points are those of brute force") {
 
 TEST_CASE("ties on a grid are settled by coordinates, then id") {
   check_against_brute_force(grid_points(12), 7);
+}
+
+TEST_CASE("sets of every small size have the neighbours of brute force") {
+  for (int count = 2; count < 70; ++count) {
+    for (const int k : {1, 5, 40}) check_against_brute_force(random_points(count, count), k);
+  }
+}
+
+TEST_CASE("points of a surface have the neighbours of brute force, for any k") {
+  const auto disc = shapes::disc(30, 0.4);
+  for (const int k : {1, 2, 8, 40, 300}) check_against_brute_force(disc.points, k);
+}
+
+TEST_CASE("a shuffled grid, where most distances tie, has the neighbours of brute force") {
+  auto points = grid_points(60);
+  Random(3).shuffle(points);
+  check_against_brute_force(points, 40);
+}
+
+TEST_CASE("a solid of 5000 points has the neighbours of brute force") {
+  check_against_brute_force(random_points(5000, 11), 40);
+}
+
+TEST_CASE("clusters a million times denser than their surroundings have the neighbours of brute force") {
+  auto points = random_points(3000, 8);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % 3 == 0) points[i] = 1e-6 * points[i] + points[1];
+    if (i % 30 == 5) points[i] = 1e-12 * points[i] + points[2];
+  }
+  check_against_brute_force(points, 40);
+}
+
+TEST_CASE("points on a line have the neighbours of brute force, evenly spaced or not") {
+  std::vector<Point> even, uneven;
+  for (int i = 0; i < 700; ++i) {
+    even.push_back({0.1 * i, 0.2 * i, -0.3 * i});
+    uneven.push_back({std::pow(1.1, i), 0, 0});
+  }
+  check_against_brute_force(even, 12);
+  check_against_brute_force(uneven, 12);
+}
+
+TEST_CASE("points a million extents away change nothing for the others and have neighbours themselves") {
+  auto points = shapes::disc(20, 0.1).points;
+  points.push_back({1e6, 0, 0});
+  points.push_back({-1e6, 3e6, 1});
+  points.push_back({1e6, 1e-3, 0});
+  check_against_brute_force(points, 20);
+}
+
+TEST_CASE("a set far from the origin, where coordinates have few digits left, has those of brute force") {
+  auto points = random_points(1500, 12);
+  for (Point& p : points) p = 1e-3 * p + Point{4e5, 5e6, 1e9};
+  check_against_brute_force(points, 25);
+}
+
+TEST_CASE("several points at one place are neighbours at distance 0") {
+  auto points = random_points(400, 13);
+  for (std::size_t i = 0; i < 100; ++i) points[i] = points[399];
+  check_against_brute_force(points, 30);
+}
+
+TEST_CASE("distances so small or large that their squares have no double are still sorted") {
+  for (const double scale : {1e-200, 1e-150, 1e150, 1e200}) {
+    auto points = random_points(200, 14);
+    for (Point& p : points) p = scale * p;
+    check_against_brute_force(points, 9);
+  }
 }
 
 TEST_CASE("one and two threads give the same neighbours") {

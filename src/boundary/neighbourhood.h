@@ -2,34 +2,47 @@
 // The discrete neighbourhood of a point, laid flat: sections 2.2 and 2.3.
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "rimline/neighbours.h"
+#include "boundary/principal_axes.h"
 #include "rimline/points.h"
 
 namespace rimline {
 
-// Covariance of the k neighbours (the point itself left out), section 2.2. Eigenvalues ascend as in the
-// paper: lambda_1 belongs to the normal of the least squares plane T.
-struct Covariance {
-  Point centroid;
-  double lambda1 = 0, lambda2 = 0, lambda3 = 0;  // of the sums of squares, squared unit of the points
-  Point v1, v2, v3;                              // orthonormal
+// Assumption 2.4's share of the second principal direction; 0 where all neighbours coincide.
+double delta(const PrincipalAxes& axes);
 
-  // Assumption 2.4's share of the second principal direction; 0 where all neighbours coincide.
-  double delta() const {
-    const double trace = lambda1 + lambda2 + lambda3;
-    return trace > 0 ? lambda2 / trace : 0;
-  }
+// The neighbours of one point after another, each coordinate in an array of its own. All arrays are filled up
+// with zeros to an even length: a neighbour on the point itself, which adds nothing to any sum.
+class Neighbourhood {
+ public:
+  explicit Neighbourhood(int k) : k_(k), x_(k + k % 2), y_(x_), z_(x_), u_(x_), v_(x_) {}
+
+  // Takes the offsets of k neighbours from the point.
+  void gather(Points points, Index point, std::span<const Index> neighbours);
+
+  // The principal axes of the covariance of the k neighbours (the point itself left out), section 2.2.
+  // Eigenvalues are of the sums of squares, in the squared unit of the points, and ascend as in the paper:
+  // the first belongs to the normal of the least squares plane T.
+  PrincipalAxes axes() const;
+
+  // The image of the neighbours under h = sigma after pi, about the image of the point: pi projects on T and
+  // sigma gives v3 and v2 equal variability. First coordinate along v3, second along v2. Each direction
+  // points to where the third moment of the offsets is positive, so that turning or mirroring the input
+  // changes nothing; the paper leaves this open [ours, docs/departures.md].
+  void flatten(const PrincipalAxes& axes);
+
+  // Of the image, k each.
+  std::span<const double> u() const { return {u_.data(), static_cast<std::size_t>(k_)}; }
+  std::span<const double> v() const { return {v_.data(), static_cast<std::size_t>(k_)}; }
+
+ private:
+  void project(Point axis, double lambda, double largest, std::vector<double>& image) const;
+
+  int k_;
+  std::vector<double> x_, y_, z_;  // offsets from the point
+  std::vector<double> u_, v_;      // the image
 };
-
-Covariance covariance(Points points, std::span<const Index> neighbours);
-
-// The image of the neighbours under h = sigma after pi, about the image of the point: pi projects on T and
-// sigma gives v3 and v2 equal variability. First coordinate along v3, second along v2. Each direction points
-// to where the third moment of the offsets is positive, so that turning or mirroring the input changes
-// nothing; the paper leaves this open [ours, docs/departures.md].
-void flatten(Points points, Index point, std::span<const Index> neighbours, const Covariance& shape,
-             std::vector<UV>& image);
 
 }  // namespace rimline

@@ -40,22 +40,23 @@ BoundaryScores score_boundary(Points points, const Neighbours& neighbours, const
                                              std::to_string(points.size()));
   }
   const std::vector<double> log_score_of = log_score_table(k, options.sectors);
+  const Sectors sectors(options.sectors);
   const double log_significance = -std::log(options.significance);
   BoundaryScores result;
   result.log_score.resize(points.size());
   result.candidate.resize(points.size());
   result.delta.resize(points.size());
   parallel_slices(points.size(), Stage::Boundary, run, [&](std::size_t begin, std::size_t end) {
-    std::vector<UV> image;
-    std::vector<int> counts;
+    Neighbourhood neighbourhood(k);
+    std::vector<int> counts(options.sectors);
     for (Index i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i) {
-      const auto nearest = neighbours.of(i, k);
-      const Covariance shape = covariance(points, nearest);
-      flatten(points, i, nearest, shape, image);
-      count_sectors(image, options.sectors, counts);
+      neighbourhood.gather(points, i, neighbours.of(i, k));
+      const PrincipalAxes axes = neighbourhood.axes();
+      neighbourhood.flatten(axes);
+      sectors.count(neighbourhood.u(), neighbourhood.v(), counts);
       result.log_score[i] = log_score_of[sum_of_squares(counts)];
       result.candidate[i] = result.log_score[i] >= log_significance;
-      result.delta[i] = static_cast<float>(shape.delta());
+      result.delta[i] = static_cast<float>(delta(axes));
     }
   });
   return result;

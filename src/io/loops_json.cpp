@@ -22,7 +22,7 @@ std::string number_text(double value) {
 
 // A value as it may be quoted: writing out a deep nest would take as deep a stack.
 std::string quoted(const Json& value) {
-  return value.is_structured() ? std::string("a ") + value.type_name() : io::quoted(value.dump());
+  return value.is_structured() ? std::string("an ") + value.type_name() : io::quoted(value.dump());
 }
 
 class LoopsReader {

@@ -20,12 +20,18 @@ struct Cell {
   UV corner(int x, int y) const { return {centre.u + x * du, centre.v + y * dv}; }
 };
 
-// A cell seen on the surface.
-struct Patch {
-  Point centre;
+// Bounds for a cell seen on the surface, good for all that is cut from it.
+struct Bounds {
   double half_u, half_v;          // half extents in units of length
-  double radius;                  // of a ball about the centre that holds it
-  double least_gap, largest_gap;  // of the distances between points, over the cell
+  double least_gap, largest_gap;  // of the distances between points
+
+  // Of a ball about the cell's centre that holds it.
+  double radius() const { return std::sqrt(half_u * half_u + half_v * half_v); }
+};
+
+struct Piece {
+  Cell cell;
+  Bounds bounds;
 };
 
 class DartThrower {
@@ -49,14 +55,16 @@ class DartThrower {
         place(at, surface_.at(at));
       }
     }
+    rim_count_ = static_cast<Index>(uv_.size());
     constexpr int first_cut = 16;  // so that three probes see what a cell is like
     const Box& box = surface_.box;
     const double du = box.width() / (2 * first_cut), dv = box.height() / (2 * first_cut);
     for (int i = 0; i < first_cut; ++i) {
       for (int j = 0; j < first_cut; ++j) {
-        tiles({{box.low.u + (2 * i + 1) * du, box.low.v + (2 * j + 1) * dv}, du, dv});
+        fill_tiles({{box.low.u + (2 * i + 1) * du, box.low.v + (2 * j + 1) * dv}, du, dv});
       }
     }
+    fill();
     result.draft.points = placed_.take_points();
     result.uv = std::move(uv_);
     return result;
@@ -74,32 +82,31 @@ class DartThrower {
     placed_.insert(p);
   }
 
-  Patch look_at(const Cell& cell) const {
-    Patch patch{surface_.at(cell.centre), 0, 0, 0, gap_at(cell.centre), 0};
-    patch.largest_gap = patch.least_gap;
+  Bounds bounds_of(const Cell& cell) const {
+    Bounds bounds{0, 0, gap_at(cell.centre), gap_at(cell.centre)};
     for (const UV at : {cell.centre, cell.corner(-1, -1), cell.corner(1, 1)}) {
       const Tangents t = surface_.tangents(at);
-      patch.half_u = std::max(patch.half_u, norm(t.u) * cell.du);
-      patch.half_v = std::max(patch.half_v, norm(t.v) * cell.dv);
-      if (density_.change == DensityChange::None) continue;
-      patch.least_gap = std::min(patch.least_gap, gap_at(at));
-      patch.largest_gap = std::max(patch.largest_gap, gap_at(at));
+      bounds.half_u = std::max(bounds.half_u, 1.05 * norm(t.u) * cell.du);
+      bounds.half_v = std::max(bounds.half_v, 1.05 * norm(t.v) * cell.dv);
+      bounds.least_gap = std::min(bounds.least_gap, gap_at(at));
+      bounds.largest_gap = std::max(bounds.largest_gap, gap_at(at));
     }
-    patch.radius = 1.05 * std::hypot(patch.half_u, patch.half_v);
-    return patch;
+    return bounds;
   }
 
-  bool outside(const Cell& cell) const { return surface_.depth(cell.centre) < -std::hypot(cell.du, cell.dv); }
+  bool outside(const Cell& cell) const {
+    return surface_.depth(cell.centre) < -std::sqrt(cell.du * cell.du + cell.dv * cell.dv);
+  }
 
   // Cuts a cell in two across its longer side until no side is longer than `longest` gaps, and hands the
   // pieces on.
   template <class Use>
   void cut(const Cell& cell, double longest, const Use& use) {
     if (outside(cell)) return;
-    const Patch patch = look_at(cell);
-    const double side = 2 * std::max(patch.half_u, patch.half_v);
-    if (side <= longest * patch.least_gap) return use(cell);
-    const bool across_u = patch.half_u >= patch.half_v;
+    const Bounds bounds = bounds_of(cell);
+    if (2 * std::max(bounds.half_u, bounds.half_v) <= longest * bounds.least_gap)
+      return use(Piece{cell, bounds});
+    const bool across_u = bounds.half_u >= bounds.half_v;
     for (const int half : {-1, 1}) {
       Cell piece = cell;
       (across_u ? piece.du : piece.dv) /= 2;
@@ -108,65 +115,96 @@ class DartThrower {
     }
   }
 
-  void tiles(const Cell& cell) {
-    constexpr double tile = 40, leaf = 0.7;  // in gaps; below 0.7 one dart nearly covers its cell
-    cut(cell, tile, [&](const Cell& piece) {
-      run_.progress(Stage::Arrange, std::min(uv_.size(), expected_), expected_);
-      std::vector<Cell> active;
-      cut(piece, leaf, [&](const Cell& small) { active.push_back(small); });
-      fill(active);
-    });
-  }
-
-  void fill(std::vector<Cell>& active) {
-    std::vector<Cell> left;
-    for (int level = 0; level < 7 && !active.empty(); ++level) {
-      random_.shuffle(active);
-      left.clear();
-      for (const Cell& cell : active) try_cell(cell, left);
-      active.swap(left);
-    }
-  }
-
-  // Throws a dart into the cell and appends what remains uncovered of it.
-  void try_cell(const Cell& cell, std::vector<Cell>& left) {
-    const Patch patch = look_at(cell);
-    const double reach = patch.largest_gap + 2 * patch.radius;
-    near_.clear();
-    placed_.near(patch.centre, reach, [&](Index i) {
-      if (squared_distance(placed_.points()[i], patch.centre) < reach * reach) near_.push_back(i);
-    });
-    if (covered(patch)) return;
-    throw_dart(cell, patch, reach);
-    for (const int x : {-1, 1}) {
-      for (const int y : {-1, 1}) {
-        const Cell quarter{
-            {cell.centre.u + x * cell.du / 2, cell.centre.v + y * cell.dv / 2}, cell.du / 2, cell.dv / 2};
-        if (!outside(quarter) && !covered(look_at(quarter))) left.push_back(quarter);
+  // Cuts a piece into equal cells of at most 0.7 gaps: there one dart nearly covers its cell.
+  void cut_evenly(const Piece& piece, std::vector<Piece>& cells) const {
+    const auto& [cell, bounds] = piece;
+    const double leaf = 0.7 * bounds.least_gap;
+    const int columns = std::max(1, static_cast<int>(std::ceil(2 * bounds.half_u / leaf)));
+    const int rows = std::max(1, static_cast<int>(std::ceil(2 * bounds.half_v / leaf)));
+    const Bounds small{bounds.half_u / columns, bounds.half_v / rows, bounds.least_gap, bounds.largest_gap};
+    const double du = cell.du / columns, dv = cell.dv / rows;
+    for (int i = 0; i < columns; ++i) {
+      for (int j = 0; j < rows; ++j) {
+        const UV centre{cell.centre.u - cell.du + (2 * i + 1) * du,
+                        cell.centre.v - cell.dv + (2 * j + 1) * dv};
+        cells.push_back({{centre, du, dv}, small});
       }
     }
   }
 
-  bool covered(const Patch& patch) const {
-    return std::any_of(near_.begin(), near_.end(), [&](Index i) {
-      const double room = std::min(patch.least_gap, gap_[i]) - patch.radius;
-      return room > 0 && squared_distance(placed_.points()[i], patch.centre) < room * room;
+  // Cuts a cell into tiles of 40 gaps, which are small enough for the cache, those into blocks of 5 with one
+  // set of bounds, and those into the cells that get darts. Small tiles are filled together: one by one
+  // their borders would order the points.
+  void fill_tiles(const Cell& cell) {
+    constexpr double tile = 40, block = 5;
+    constexpr std::size_t enough = 2048;  // cells to fill at once
+    cut(cell, tile, [&](const Piece& piece) {
+      cut(piece.cell, block, [&](const Piece& small) { cut_evenly(small, active_); });
+      if (active_.size() >= enough) fill();
     });
   }
 
-  void throw_dart(const Cell& cell, const Patch& patch, double reach) {
+  void fill() {
+    run_.progress(Stage::Arrange, std::min(uv_.size(), expected_), expected_);
+    for (int level = 0; level < 7 && !active_.empty(); ++level) {
+      random_.shuffle(active_);
+      left_.clear();
+      for (const Piece& piece : active_) try_piece(piece);
+      active_.swap(left_);
+    }
+    active_.clear();
+  }
+
+  // Throws a dart into the cell and puts aside what remains uncovered of it.
+  void try_piece(const Piece& piece) {
+    const auto& [cell, bounds] = piece;
+    if (outside(cell)) return;
+    const Point centre = surface_.at(cell.centre);
+    const double reach = bounds.largest_gap + bounds.radius();
+    near_.clear();
+    placed_.near(centre, reach, [&](Index i) {
+      if (squared_distance(placed_.points()[i], centre) < reach * reach) near_.push_back(i);
+    });
+    if (covered(centre, bounds)) return;
+    throw_dart(cell, centre, reach);
+
+    const Tangents t = surface_.tangents(cell.centre);
+    const Point to_u = cell.du / 2 * t.u, to_v = cell.dv / 2 * t.v;
+    const Bounds half{bounds.half_u / 2, bounds.half_v / 2, bounds.least_gap, bounds.largest_gap};
+    for (const int x : {-1, 1}) {
+      for (const int y : {-1, 1}) {
+        if (covered(centre + x * to_u + y * to_v, half)) continue;
+        left_.push_back(
+            {{{cell.centre.u + x * cell.du / 2, cell.centre.v + y * cell.dv / 2}, cell.du / 2, cell.dv / 2},
+             half});
+      }
+    }
+  }
+
+  // Whether one of the near points leaves no room in a cell for another point.
+  bool covered(const Point& centre, const Bounds& bounds) const {
+    const double radius = bounds.radius();
+    return std::any_of(near_.begin(), near_.end(), [&](Index i) {
+      const double room = std::min(bounds.least_gap, gap_[i]) - radius;
+      return room > 0 && squared_distance(placed_.points()[i], centre) < room * room;
+    });
+  }
+
+  void throw_dart(const Cell& cell, const Point& centre, double reach) {
     const UV at{cell.centre.u + cell.du * (2 * random_.uniform() - 1),
                 cell.centre.v + cell.dv * (2 * random_.uniform() - 1)};
     if (surface_.depth(at) <= 0) return;
     const Point p = surface_.at(at);
     const double gap = gap_at(at);
-    // What is known of the neighbours ends at `reach`: true unless the patch was larger than it seemed.
-    if (distance(p, patch.centre) + gap > reach) return;
+    // What is known of the neighbours ends at `reach`: enough unless the bounds were too tight.
+    if (distance(p, centre) + gap > reach) return;
+    bool near_rim = false;  // points of a rim are so close that half a spacing from it there is one in reach
     for (const Index i : near_) {
       const double least = std::min(gap, gap_[i]);
       if (squared_distance(placed_.points()[i], p) < least * least) return;
+      near_rim = near_rim || i < rim_count_;
     }
-    if (rim_.within_half_spacing(at, density_.spacing_at(surface_, at))) return;
+    if (near_rim && rim_.within_half_spacing(at, density_.spacing_at(surface_, at))) return;
     near_.push_back(static_cast<Index>(uv_.size()));
     place(at, p);
   }
@@ -181,6 +219,8 @@ class DartThrower {
   PointGrid placed_;
   std::vector<UV> uv_;
   std::vector<double> gap_;  // least distance to others, of every point
+  Index rim_count_ = 0;      // the first points are those of the rims
+  std::vector<Piece> active_, left_;
   std::vector<Index> near_;  // points about the cell at hand
 };
 

@@ -4,7 +4,7 @@
 namespace rimline {
 
 Extent measure(const Surface& surface, const Density& density) {
-  constexpr int steps = 256;
+  constexpr int steps = 128;
   Extent extent;
   const double du = surface.box.width() / steps, dv = surface.box.height() / steps;
   for (int i = 0; i < steps; ++i) {

@@ -113,7 +113,9 @@ class Lattice {
 }  // namespace
 
 Draft lattice(const Surface& surface, double spacing, double aspect, const Run& run, std::size_t expected) {
-  const Steps steps = divide(surface, spacing / std::sqrt(aspect), spacing * std::sqrt(aspect));
+  Steps steps = divide(surface, spacing / std::sqrt(aspect), spacing * std::sqrt(aspect));
+  // Few rows fit evenly only at another distance: the count is kept and the aspect gives way.
+  if (aspect > 1) steps = divide(surface, spacing * spacing / steps.across, steps.across);
   return Lattice(surface, steps, run, aspect > 1).fill(expected);
 }
 

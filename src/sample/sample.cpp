@@ -72,22 +72,37 @@ Draft draw(const SampleOptions& options, const Surface& surface, double spacing,
   refuse(options, "there is no such sampling");
 }
 
+// Whether the draft has the loops of the surface: a coarse crop may tear the patch or lose a hole.
+bool is_whole(const Draft& draft, const Surface& surface) {
+  return draft.loops.size() == surface.rims.size();
+}
+
+// A crop that comes out whole, from the next seeds where need be.
+Draft draw_whole(const SampleOptions& options, const Surface& surface, double spacing, Run run) {
+  constexpr int tries = 12;
+  for (int i = 0; i < tries; ++i) {
+    Draft draft = draw(options, surface, spacing, run);
+    if (is_whole(draft, surface)) return draft;
+    run.seed += 0x9e3779b97f4a7c15;
+  }
+  refuse(options, "n = " + std::to_string(options.n) + " is too small for the loops of the shape");
+}
+
 // The rims' corners, a crop's ragged edge and whole rows make the count differ from the estimate by a few
 // points: drawn again with a corrected spacing where that matters.
 Draft draw_about_n(const SampleOptions& options, const Surface& surface, const Run& run) {
   constexpr double tolerance = 0.03;
   constexpr int tries = 4;
   const double n = static_cast<double>(options.n);
+  const auto off = [n](const Draft& draft) { return std::abs(static_cast<double>(draft.points.size()) - n); };
   double spacing = spacing_for(options, surface);
-  Draft best;
-  for (int i = 0; i < tries; ++i) {
-    Draft draft = draw(options, surface, spacing, run);
-    const double count = static_cast<double>(draft.points.size());
-    if (best.points.empty() || std::abs(count - n) < std::abs(static_cast<double>(best.points.size()) - n)) {
-      best = std::move(draft);
-    }
-    if (std::abs(count - n) <= tolerance * n) break;
-    spacing *= std::sqrt(count / n);
+  Draft best = draw_whole(options, surface, spacing, run);
+  double last = static_cast<double>(best.points.size());
+  for (int i = 1; i < tries && off(best) > tolerance * n; ++i) {
+    spacing *= std::sqrt(last / n);
+    Draft draft = draw_whole(options, surface, spacing, run);
+    last = static_cast<double>(draft.points.size());
+    if (off(draft) < off(best)) best = std::move(draft);
   }
   return best;
 }
@@ -95,10 +110,9 @@ Draft draw_about_n(const SampleOptions& options, const Surface& surface, const R
 void check_rims(const SampleOptions& options, const Draft& draft) {
   constexpr std::size_t shortest = 5;
   for (const auto& loop : draft.loops) {
-    if (loop.size() < shortest) {
-      refuse(options, "n = " + std::to_string(options.n) + " is too small: a loop would have " +
-                          std::to_string(loop.size()) + " points");
-    }
+    if (loop.size() >= shortest) continue;
+    refuse(options, "n = " + std::to_string(options.n) + " is too small: a loop would have " +
+                        std::to_string(loop.size()) + " points");
   }
 }
 
@@ -139,7 +153,8 @@ Sample finish(Draft draft, const SampleOptions& options, const Run& run) {
 
 Sample sample(const SampleOptions& options, const Run& run) try {
   check(options);
-  Draft draft = draw_about_n(options, make_surface(options.shape), run);
+  const Surface surface = make_surface(options.shape);
+  Draft draft = draw_about_n(options, surface, run);
   check_rims(options, draft);
   return finish(std::move(draft), options, run);
 } catch (const std::bad_alloc&) {

@@ -25,7 +25,7 @@ TEST_CASE("what is nearer to the eye hides what is farther, in either order of d
 TEST_CASE("two triangles that cross show the nearer one on each side") {
   Raster raster(20, 20);
   raster.triangle({-50, -50, -10}, {50, -50, 10}, {0, 100, 0}, {1, 0, 0});  // rises to the right
-  raster.triangle({-50, -50, 8}, {50, -50, -12}, {0, 100, -2}, {0, 0, 1});  // falls to the right
+  raster.triangle({-50, -50, 14}, {50, -50, -6}, {0, 100, 4}, {0, 0, 1});  // falls to the right
   CHECK(at(raster, 0, 10) == blue);
   CHECK(at(raster, 19, 10) == red);
 }

@@ -84,7 +84,7 @@ TEST_CASE("loops that can not be right are refused by number") {
   CHECK(contains(complaint_of(R"({"loops": [], "points": 8})"), "made for 8 points, but the cloud has 7"));
   CHECK(contains(complaint_of(R"({"schema": 2, "loops": []})"), "reads schema 1"));
   CHECK(contains(complaint_of("[]"), "has no list 'loops'"));
-  CHECK(contains(complaint_of("{\n\"loops\": [\n"), "line 3: is not valid JSON"));
+  CHECK(contains(complaint_of("{\n\"loops\": [\n"), "line 2: is not valid JSON"));
   CHECK(contains(complaint_of(""), "is empty"));
   CHECK(contains(complaint_of(R"({"loops": [{"points": [)" + std::string(200000, '[') +
                               std::string(200000, ']') + "]}]}"),

@@ -113,8 +113,8 @@ TEST_CASE("bad PCD files are named") {
   CHECK(contains(complaint("a.pcd", header(3, "binary") + row_by_row()), "before the 3 points"));
   CHECK(contains(complaint("a.pcd", header(2, "ascii") + "1 2 3 0.5 0 65535 -128 127 0 0 0\n"),
                  "before the 2 points"));
-  CHECK(contains(complaint("a.pcd", header(2, "ascii") + "1 2 3 0.5 0 65535 -128 127 0 0 0\n1 2\n"),
-                 "line 13: the value of field 'z' is missing"));
+  CHECK(contains(complaint("a.pcd", header(2, "ascii") + "1 2 3 0.5 0 65535 -128 127 0 0 0\n1 2 nan 0 7 1\n"),
+                 "line 13: the value of field 'pair_0' is missing"));
   CHECK(contains(complaint("a.pcd", header(3, "binary_compressed") + compressed_body(field_by_field())),
                  "do not fit the 3 points"));
   std::string damaged = header(2, "binary_compressed") + compressed_body(field_by_field());

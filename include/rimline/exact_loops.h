@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every boundary of the surface, exact and in order: the default method.  [ours; docs/departures.md]
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rimline/boundary.h"
+#include "rimline/mesh.h"
+#include "rimline/neighbours.h"
+#include "rimline/points.h"
+#include "rimline/report.h"
+#include "rimline/run.h"
+
+namespace rimline {
+
+// What a point is, as far as its neighbourhood tells.
+enum class PointLabel : std::uint8_t {
+  Interior = 0,
+  Boundary = 1,      // on a returned loop
+  Undersampled = 2,  // at a gap that is no boundary, as far as can be told
+  Crease = 3,        // at a gap where the surface folds or two sheets are close: sharp edges, thin walls
+  Stray = 4,         // on no triangle, or on a scrap of surface
+};
+
+// "interior", "boundary", "undersampled", "crease", "stray".
+const char* name(PointLabel label);
+
+// Which of the loops found are returned.
+enum class LoopPolicy {
+  All,
+  Outer,    // the outer loop of each component
+  Largest,  // the outer loop of the component with most points
+};
+
+// "all", "outer", "largest".
+const char* name(LoopPolicy policy);
+
+struct ExactLoopOptions {
+  LoopPolicy loop_policy = LoopPolicy::All;
+  int min_loop = 6;              // points of a loop that is returned, at least 3
+  double min_probability = 0.5;  // of a loop that is returned
+  int population = 12;           // chromosomes per group of doubtful triangles
+  int generations = 30;  // at most; 0 switches the search off: each triangle is decided by its own size
+  double length_exponent = 0.9;  // of the number of points in eq. (3)
+};
+
+// One connected part of the surface.
+struct SurfaceComponent {
+  std::size_t points = 0, triangles = 0;
+  long long euler = 0;  // V - E + F of its triangles, gaps of sampling and all
+  int loops = 0;        // returned ones
+  bool orientable = true;
+};
+
+// The genetic search, over all groups of doubtful triangles.
+struct RimSearchSummary {
+  std::size_t doubtful = 0;         // triangles that the search decides on: the bits of its chromosomes
+  std::size_t groups = 0;           // of them that do not influence each other
+  double greedy = 0, best = 0;      // fitness of the choice by size alone, and of the best chromosomes
+  std::vector<Generation> history;  // summed over the groups
+};
+
+struct BoundarySurvey {
+  std::vector<Loop> loops;         // by component, the outer one first, holes by falling length
+  std::vector<float> probability;  // per point, that it lies on a boundary, in [0, 1]
+  std::vector<PointLabel> label;   // per point
+  std::vector<SurfaceComponent> components;
+  std::vector<Triangle> triangles;  // the surface the loops bound, oriented per component, gaps left open
+  RimSearchSummary search;
+};
+
+// Finds the loops of any number of open surfaces; none where all are closed. Requires finite and distinct
+// points and lists of at least 16 neighbours (40 where the density changes sharply), or of all where there
+// are fewer. The result depends on run.seed. Throws TooFewPoints for fewer than 4 points and BadOption.
+BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
+                                const ExactLoopOptions& options, const Run& run);
+
+}  // namespace rimline

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From loops to the mesh and its map: parameterize, triangulate, flip in space, map again on the mesh.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "rimline/mesh.h"
+#include "rimline/neighbours.h"
+#include "rimline/points.h"
+#include "rimline/report.h"
+#include "rimline/run.h"
+
+namespace rimline {
+
+struct RefineOptions {
+  int rounds = 4;           // most times the patch is triangulated anew from its map [ours]
+  double residual = 1e-10;  // of each linear system, relative to its right-hand side
+};
+
+// What one round did.
+struct RefineRound {
+  std::size_t flips = 0;      // edges flipped in space
+  std::size_t bad_edges = 0;  // inner edges left that are longer than 3 spacings or folded beyond 120 degrees
+  double length = 0;          // of all inner edges left, in the unit of the input
+};
+
+// A patch: one outer loop, any number of holes, all points inside.
+struct Patch {
+  std::vector<Triangle> triangles;  // boundary edges are the loops' edges, all of them and no others
+  std::vector<UV> uv;               // one per point: an embedding of the triangles in the unit disc
+  std::vector<RefineRound> rounds;
+  MapSummary map;            // the last system
+  std::size_t uv_flips = 0;  // triangles not counter-clockwise in uv: 0 but for maps that double
+                             // precision can not hold
+  std::size_t evened = 0;    // points whose weights were drawn towards equal ones to avoid flips
+};
+
+// Meshes the component that the loops bound: the first is the outer one, the others holes, the surface on
+// the left of each. All points must belong to it. Throws UnreachableInterior, NotADisc, NoConvergence,
+// Cancelled.
+Patch refine_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
+                   const RefineOptions& options, const Run& run);
+
+}  // namespace rimline

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/exact_loops.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "exact/evidence.h"
+#include "exact/frame.h"
+#include "exact/local_size.h"
+#include "exact/odds.h"
+#include "exact/propose.h"
+#include "exact/rim.h"
+#include "exact/rim_search.h"
+#include "exact/sheet.h"
+#include "exact/star.h"
+#include "rimline/loops.h"
+
+namespace rimline {
+
+const char* name(PointLabel label) {
+  constexpr std::array names{"interior", "boundary", "undersampled", "crease", "stray"};
+  return names[static_cast<std::size_t>(label)];
+}
+
+const char* name(LoopPolicy policy) {
+  constexpr std::array names{"all", "outer", "largest"};
+  return names[static_cast<std::size_t>(policy)];
+}
+
+namespace exact {
+namespace {
+
+constexpr double largest_proposed = 3.0;  // spacings; the rim search takes away what is too much
+constexpr double largest_mended = 1.2;    // spacings; what notches it leaves are filled with at once
+constexpr std::size_t least_sheet = 10;   // triangles; smaller scraps are no surface
+
+void check(Points points, const ExactLoopOptions& options) {
+  if (points.size() < 4) {
+    throw Error(ErrorCode::TooFewPoints,
+                "loops need at least 4 points, there are " + std::to_string(points.size()));
+  }
+  if (options.min_loop < 3) throw Error(ErrorCode::BadOption, "min_loop must be at least 3");
+  if (options.population < 2) throw Error(ErrorCode::BadOption, "population must be at least 2");
+  if (options.generations < 0) throw Error(ErrorCode::BadOption, "generations must not be negative");
+}
+
+// One survey: the members are what the steps find, in their order.
+class Survey {
+ public:
+  Survey(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
+         const ExactLoopOptions& options, const Run& run)
+      : points_(points),
+        neighbours_(neighbours),
+        scores_(scores),
+        options_(options),
+        run_(run),
+        spacing_(local_spacing(neighbours)),
+        frames_(fit_frames(points, neighbours, run)),
+        complex_(propose_surface(points, frames_, find_stars(points, neighbours, spacing_, frames_, run),
+                                 spacing_, largest_proposed, run)) {}
+
+  BoundarySurvey find() {
+    search();
+    sheets_ = orient_sheets(complex_, kept_);
+    measure_sheets();
+    collect_loops();
+    classify();
+    apply_policy();
+    rate_points();
+    label_points();
+    for (Index t = 0; t < complex_.size(); ++t) {
+      if (kept_[t]) result_.triangles.push_back(complex_.triangle(t));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  struct Candidate {
+    Loop loop;
+    bool returned = false;
+  };
+
+  void search() {
+    RimSearchOptions o;
+    o.population = options_.population;
+    o.generations = options_.generations;
+    RimSearchSummary& summary = result_.search;
+    summary.history.assign(options_.generations, {});
+    for (int round = 0; round < 2; ++round) {
+      LocalSizes sizes(complex_, neighbours_);
+      RimSearchResult found = search_rim(complex_, sizes, o, run_);
+      summary.doubtful += found.doubtful;
+      summary.groups += found.groups;
+      summary.greedy += found.greedy;
+      summary.best += found.best;
+      for (int i = 0; i < options_.generations; ++i) {
+        summary.history[i].best += found.history_best[i];
+        summary.history[i].mean += found.history_mean[i];
+      }
+      kept_ = std::move(found.kept);
+      // The large triangles that are gone had turned edges of the rim; with them out of the way the notches
+      // they leave can be seen for what they are, so the search looks again.
+      if (round == 0) {
+        complex_.keep_only(kept_);
+        fill_notches(complex_, spacing_, largest_mended);
+      }
+    }
+  }
+
+  void measure_sheets() {
+    result_.components.resize(sheets_.count());
+    std::vector<std::array<Index, 2>> vertices;  // (component, vertex), once per corner
+    std::vector<std::size_t> edges_twice(sheets_.count(), 0);
+    for (Index t = 0; t < complex_.size(); ++t) {
+      if (!kept_[t]) continue;
+      const Index c = sheets_.of_triangle[t];
+      ++result_.components[c].triangles;
+      const Triangle& x = complex_.triangle(t);
+      for (int k = 0; k < 3; ++k) {
+        vertices.push_back({c, x[k]});
+        const Index other = complex_.across(t, x[k], x[(k + 1) % 3]);
+        edges_twice[c] += other != none && kept_[other] ? 1 : 2;
+      }
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    for (const auto& [c, v] : vertices) ++result_.components[c].points;
+    for (Index c = 0; c < sheets_.count(); ++c) {
+      SurfaceComponent& s = result_.components[c];
+      s.orientable = sheets_.orientable[c];
+      s.euler = static_cast<long long>(s.points) - static_cast<long long>(edges_twice[c] / 2) +
+                static_cast<long long>(s.triangles);
+    }
+  }
+
+  Index triangle_at(Index a, Index b) const {
+    Index found[2];
+    const int count = complex_.edge(a, b, found);
+    for (int i = 0; i < count; ++i) {
+      if (kept_[found[i]]) return found[i];
+    }
+    return none;
+  }
+
+  void collect_loops() {
+    for (auto& ids : walk_rims(complex_, kept_)) {
+      Candidate c;
+      const Index t = triangle_at(ids[0], ids[1]);
+      c.loop.component = sheets_.of_triangle[t];
+      c.loop.points = std::move(ids);
+      c.loop.length = loop_length(points_, c.loop.points);
+      c.loop.probability = loop_probability(c.loop.points);
+      c.returned = static_cast<int>(c.loop.points.size()) >= options_.min_loop &&
+                   c.loop.probability >= options_.min_probability &&
+                   result_.components[c.loop.component].triangles >= least_sheet;
+      candidates_.push_back(std::move(c));
+    }
+  }
+
+  double loop_probability(const std::vector<Index>& ids) const {
+    std::vector<double> empty;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const Index a = ids[i], b = ids[i + 1 < ids.size() ? i + 1 : 0];
+      const Index t = triangle_at(a, b);
+      empty.push_back(emptiness_beyond(points_, neighbours_, spacing_, a, b, complex_.apex(t, a, b)));
+    }
+    std::nth_element(empty.begin(), empty.begin() + empty.size() / 2, empty.end());
+    return exact::loop_probability(ids.size(), empty[empty.size() / 2]);
+  }
+
+  // How much a loop looks like the outer one of its component: its extent, more where the surface lies inside
+  // it, less where it lies around it.
+  double outer_rank(const Loop& loop) const {
+    Point low = points_[loop.points[0]], high = low, area, normal;
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Index a = loop.points[i], b = loop.points[(i + 1) % loop.points.size()];
+      const Point p = points_[a];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      area = area + 0.5 * cross(p - points_[loop.points[0]], points_[b] - points_[loop.points[0]]);
+      const Triangle& t = complex_.triangle(triangle_at(a, b));
+      const Point n = cross(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]);
+      normal = normal + (distance(p, points_[b]) / std::max(norm(n), 1e-300)) * n;
+    }
+    // -1 for a flat hole, 1 for a flat outline, 0 where the surface stands upright on the loop.
+    const double lies = dot(area, normal) / std::max(norm(area) * loop.length, 1e-300);
+    return distance(low, high) * std::exp(lies);
+  }
+
+  void classify() {
+    std::vector<double> best(sheets_.count(), -1);
+    std::vector<std::size_t> outer(sheets_.count());
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      Candidate& c = candidates_[i];
+      if (!c.returned) continue;
+      c.loop.kind = LoopKind::Hole;
+      const double rank = outer_rank(c.loop);
+      if (rank > best[c.loop.component]) {
+        best[c.loop.component] = rank;
+        outer[c.loop.component] = i;
+      }
+    }
+    for (Index s = 0; s < sheets_.count(); ++s) {
+      if (best[s] >= 0) candidates_[outer[s]].loop.kind = LoopKind::Outer;
+    }
+  }
+
+  void apply_policy() {
+    Index largest = none;
+    for (const Candidate& c : candidates_) {
+      if (!c.returned) continue;
+      const auto& all = result_.components;
+      if (largest == none || all[c.loop.component].points > all[largest].points) largest = c.loop.component;
+    }
+    for (Candidate& c : candidates_) {
+      const bool outer = c.loop.kind == LoopKind::Outer;
+      if (options_.loop_policy != LoopPolicy::All && !outer) c.returned = false;
+      if (options_.loop_policy == LoopPolicy::Largest && c.loop.component != largest) c.returned = false;
+      if (!c.returned) continue;
+      ++result_.components[c.loop.component].loops;
+      result_.loops.push_back(c.loop);
+    }
+    std::sort(result_.loops.begin(), result_.loops.end(), [](const Loop& a, const Loop& b) {
+      return std::tuple(a.component, a.kind == LoopKind::Hole, -a.length, a.points) <
+             std::tuple(b.component, b.kind == LoopKind::Hole, -b.length, b.points);
+    });
+  }
+
+  void rate_points() {
+    LocalSizes sizes(complex_, neighbours_);
+    const RimWeights weights;
+    result_.probability.assign(points_.size(), static_cast<float>(far_from_rims()));
+    for (const Candidate& c : candidates_) {
+      const auto& ids = c.loop.points;
+      const std::size_t n = ids.size();
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::array<Index, 5> run{ids[(i + n - 2) % n], ids[(i + n - 1) % n], ids[i], ids[(i + 1) % n],
+                                       ids[(i + 2) % n]};
+        rate(ids[i], c, notch_log_odds(complex_, sizes, weights, run), true);
+        // The point behind the next edge would be on the rim if its triangle were left out.
+        const Index inner = complex_.apex(triangle_at(run[2], run[3]), run[2], run[3]);
+        rate(inner, c, notch_log_odds(complex_, sizes, weights, {run[1], run[2], inner, run[3], run[4]}),
+             false);
+      }
+    }
+    for (Loop& loop : result_.loops) {
+      double sum = 0;  // eq. (3), on the log score -log(1 - p)
+      for (const Index id : loop.points)
+        sum -= std::log1p(-std::min(0.999999, double{result_.probability[id]}));
+      loop.fitness = sum / std::pow(static_cast<double>(loop.points.size()), options_.length_exponent);
+    }
+  }
+
+  void rate(Index id, const Candidate& c, double log_odds, bool on_rim) {
+    const double p = point_probability(log_odds, on_rim, scores_.log_score[id], c.loop.probability);
+    result_.probability[id] = std::max(result_.probability[id], static_cast<float>(p));
+  }
+
+  void label_points() {
+    constexpr double folded = 0.15;  // frame thickness of a neighbourhood that is no patch
+    auto& label = result_.label;
+    label.assign(points_.size(), PointLabel::Stray);
+    for (Index t = 0; t < complex_.size(); ++t) {
+      if (!kept_[t] || result_.components[sheets_.of_triangle[t]].triangles < least_sheet) continue;
+      for (const Index v : complex_.triangle(t)) label[v] = PointLabel::Interior;
+    }
+    for (const Candidate& c : candidates_) {
+      if (c.returned) continue;
+      for (const Index v : c.loop.points) {
+        if (label[v] == PointLabel::Stray) continue;
+        label[v] = frames_[v].thickness > folded ? PointLabel::Crease : PointLabel::Undersampled;
+      }
+    }
+    for (const Loop& loop : result_.loops) {
+      for (const Index v : loop.points) label[v] = PointLabel::Boundary;
+    }
+  }
+
+  Points points_;
+  const Neighbours& neighbours_;
+  const BoundaryScores& scores_;
+  const ExactLoopOptions& options_;
+  const Run& run_;
+  std::vector<double> spacing_;
+  std::vector<Frame> frames_;
+  Complex complex_;
+  Kept kept_;
+  Sheets sheets_;
+  std::vector<Candidate> candidates_;
+  BoundarySurvey result_;
+};
+
+}  // namespace
+}  // namespace exact
+
+BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
+                                const ExactLoopOptions& options, const Run& run) {
+  exact::check(points, options);
+  return exact::Survey(points, neighbours, scores, options, run).find();
+}
+
+}  // namespace rimline

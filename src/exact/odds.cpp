@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exact/odds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rimline::exact {
+namespace {
+
+double logistic(double x) { return 1 / (1 + std::exp(-x)); }
+
+// Angle by which the way a, b, c turns in the plane of b; positive to the left as the frame sees it.
+double turning(const Complex& complex, Index a, Index b, Index c) {
+  const Frame& f = complex.frames()[b];
+  const Points p = complex.points();
+  const Point in = p[b] - p[a], out = p[c] - p[b];
+  const double x0 = dot(in, f.u), y0 = dot(in, f.v), x1 = dot(out, f.u), y1 = dot(out, f.v);
+  return std::atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1);
+}
+
+double cost(double turn, const RimWeights& w) {
+  const double t = std::abs(turn);
+  return w.slight * std::min(t, 0.3) + w.moderate * std::min(t, 0.7) + w.sharp * t;
+}
+
+}  // namespace
+
+double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeights& weights,
+                      const std::array<Index, 5>& run) {
+  const auto [before, a, b, c, after] = run;
+  const Triangle triangle{a, b, c};
+  const double ratio = sizes.log_ratio(triangle);
+  double largest = 0;
+  for (const Index v : triangle) largest = std::max(largest, sizes.own(v));
+  const Points p = complex.points();
+  const double own = std::clamp(std::log(circumradius(p[a], p[b], p[c]) / largest), -1.0, 3.0);
+  const double open = cost(turning(complex, before, a, b), weights) +
+                      cost(turning(complex, a, b, c), weights) + cost(turning(complex, b, c, after), weights);
+  const double filled =
+      cost(turning(complex, before, a, c), weights) + cost(turning(complex, a, c, after), weights);
+  return weights.open + weights.size * ratio + weights.own * own - open + filled;
+}
+
+double loop_probability(std::size_t points, double emptiness) {
+  return logistic(5 * (emptiness - 0.95) + 0.8 * std::log(static_cast<double>(points) / 12));
+}
+
+double point_probability(double notch, bool on_rim, double chi_square_score, double loop_probability) {
+  const double chi = std::log1p(chi_square_score);
+  const double x = on_rim ? 1.0 + 0.5 * std::clamp(notch, -4.0, 6.0) + 0.3 * chi
+                          : -3.5 + 0.5 * std::clamp(notch, -6.0, 4.0) + 0.3 * chi;
+  return logistic(x) * loop_probability;
+}
+
+double far_from_rims() { return 0.001; }
+
+}  // namespace rimline::exact

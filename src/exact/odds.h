@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From evidence to probability. All coefficients are here; bench/calibrate fits them to known boundaries.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "exact/complex.h"
+#include "exact/local_size.h"
+#include "exact/rim_energy.h"
+
+namespace rimline::exact {
+
+// What the fitness of the rim would lose if the notch at the middle of five points in a row along it were
+// filled by a triangle: its log odds to be open. Large where there is no notch.
+double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeights& weights,
+                      const std::array<Index, 5>& run);
+
+// That a rim of so many points, beyond half of whose edges a ball of `emptiness` spacings is empty, is a
+// boundary of the surface and not the edge of what could be triangulated.
+double loop_probability(std::size_t points, double emptiness);
+
+// That a point is on the boundary: one on a rim (or right behind it), by the log odds of its notch, its
+// chi-square score -log p, and the probability of the rim.
+double point_probability(double notch, bool on_rim, double chi_square_score, double loop_probability);
+
+// That a point away from all rims is on the boundary.
+double far_from_rims();
+
+}  // namespace rimline::exact

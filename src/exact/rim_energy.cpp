@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exact/rim_energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rimline::exact {
+
+Corners::Corners(const Complex& complex, const std::vector<Index>& vertices) {
+  first_fan_.reserve(vertices.size() + 1);
+  for (const Index v : vertices) {
+    first_fan_.push_back(static_cast<std::uint32_t>(fans_.size()));
+    add_vertex(complex, v);
+  }
+  first_fan_.push_back(static_cast<std::uint32_t>(fans_.size()));
+}
+
+void Corners::add_vertex(const Complex& complex, Index vertex) {
+  std::vector<Index> left(complex.star(vertex).begin(), complex.star(vertex).end());
+  const auto others = [&](Index t, Index(&pair)[2]) {
+    int count = 0;
+    for (const Index v : complex.triangle(t)) {
+      if (v != vertex) pair[count++] = v;
+    }
+  };
+  for (const bool closed : {false, true}) {  // open fans start at a free edge; what is left then is closed
+    for (std::size_t i = 0; i < left.size();) {
+      Index pair[2];
+      others(left[i], pair);
+      const bool free0 = complex.across(left[i], vertex, pair[0]) == none;
+      const bool free1 = complex.across(left[i], vertex, pair[1]) == none;
+      if (closed || free0 || free1) {
+        add_fan(complex, vertex, left[i], free1 && !free0 ? pair[1] : pair[0], closed, left);
+        i = 0;
+      } else {
+        ++i;
+      }
+    }
+  }
+}
+
+void Corners::add_fan(const Complex& complex, Index vertex, Index t, Index from, bool closed,
+                      std::vector<Index>& left) {
+  const Frame& frame = complex.frames()[vertex];
+  const auto direction = [&](Index v) {
+    const Point d = complex.points()[v] - complex.points()[vertex];
+    return static_cast<float>(std::atan2(dot(d, frame.v), dot(d, frame.u)));
+  };
+  Fan fan{static_cast<std::uint32_t>(corners_.size()), 0, closed};
+  while (t != none) {
+    const auto at = std::find(left.begin(), left.end(), t);
+    if (at == left.end()) break;
+    left.erase(at);
+    const Index to = complex.apex(t, vertex, from);
+    corners_.push_back({t, direction(from), direction(to)});
+    t = complex.across(t, vertex, to);
+    from = to;
+  }
+  fan.last = static_cast<std::uint32_t>(corners_.size());
+  fans_.push_back(fan);
+}
+
+double Corners::cost(std::size_t slot, const Kept& kept, const RimWeights& w) const {
+  const Turns t = turns(slot, kept);
+  return w.slight * t.slight + w.moderate * t.moderate + w.sharp * t.sharp + w.pinch * t.pinches +
+         w.orphan * t.orphans;
+}
+
+Corners::Turns Corners::turns(std::size_t slot, const Kept& kept) const {
+  Turns sum;
+  int fans = 0;
+  for (std::uint32_t f = first_fan_[slot]; f < first_fan_[slot + 1]; ++f) {
+    const Fan& fan = fans_[f];
+    const std::uint32_t size = fan.last - fan.first;
+    std::uint32_t begin = 0;  // a corner that follows a gap, for closed fans
+    if (fan.closed) {
+      while (begin < size && kept[corners_[fan.first + begin].triangle]) ++begin;
+      if (begin == size) {
+        ++fans;
+        continue;
+      }
+    }
+    float from = 0;
+    bool open = false;
+    for (std::uint32_t i = 0; i < size; ++i) {
+      const Corner& corner = corners_[fan.first + (begin + i) % size];
+      if (!kept[corner.triangle]) {
+        open = false;
+        continue;
+      }
+      if (!open) {
+        open = true;
+        ++fans;
+        from = corner.from;
+      }
+      const bool ends = i + 1 == size || !kept[corners_[fan.first + (begin + i + 1) % size].triangle];
+      if (!ends) continue;
+      const double between = std::abs(std::remainder(from - corner.to, 2 * std::numbers::pi));
+      const double turning = std::numbers::pi - between;
+      sum.slight += std::min(turning, 0.3);
+      sum.moderate += std::min(turning, 0.7);
+      sum.sharp += turning;
+    }
+  }
+  if (fans == 0) {
+    sum.orphans = first_fan_[slot] != first_fan_[slot + 1];
+  } else {
+    sum.pinches = fans - 1;
+  }
+  return sum;
+}
+
+}  // namespace rimline::exact

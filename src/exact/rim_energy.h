@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a rim is worth: the fitness of the genetic search.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "exact/complex.h"
+#include "exact/rim.h"
+
+namespace rimline::exact {
+
+// Log odds that rims are made of, fitted to known boundaries (bench/calibrate; docs/departures.md). The paper
+// sums scores over a path, eq. (3); here the score of a rim is the sum of what its notches gain by the size
+// of the triangles that are left out, less what its corners cost by their turning.
+struct RimWeights {
+  double open = 0.7;       // for each triangle left out ...
+  double size = 2.0;       // ... and per log_ratio of it
+  double own = 0.9;        // ... and per log ratio to the largest median around its corners
+  double slight = 7.4;     // per radian of turning up to 0.3,
+  double moderate = -3.0;  // correction per radian up to 0.7,
+  double sharp = 1.5;      // and per radian of all turning: a smooth rim is precious, a jagged one is not
+  double contrast = 4;     // per unit that the log ratio of the sizes on both sides of the rim ...
+  double least_contrast = 0.4;  // ... falls short of this
+  double pinch = 3;             // where fans meet in a point
+  double birth = 6;             // of a hole apart from all other rims
+  double orphan = 12;           // a point that loses all its triangles
+};
+
+// The corners around a vertex, fan after fan, for quick looks at which are kept.
+class Corners {
+ public:
+  // For the given vertices, which must hold each vertex of an ambiguous triangle once.
+  Corners(const Complex& complex, const std::vector<Index>& vertices);
+
+  // What the rim does at a vertex: sums over its fans.
+  struct Turns {
+    double slight = 0, moderate = 0, sharp = 0, pinches = 0, orphans = 0;
+  };
+  Turns turns(std::size_t slot, const Kept& kept) const;
+
+  // The cost of a vertex, given by its position in `vertices`.
+  double cost(std::size_t slot, const Kept& kept, const RimWeights& weights) const;
+
+ private:
+  struct Corner {
+    Index triangle;
+    float from, to;  // directions of its two edges in the vertex's plane, radians
+  };
+  struct Fan {
+    std::uint32_t first, last;
+    bool closed;
+  };
+
+  void add_vertex(const Complex& complex, Index vertex);
+  void add_fan(const Complex& complex, Index vertex, Index t, Index from, bool closed,
+               std::vector<Index>& left);
+
+  std::vector<Corner> corners_;
+  std::vector<Fan> fans_;
+  std::vector<std::uint32_t> first_fan_;
+};
+
+}  // namespace rimline::exact

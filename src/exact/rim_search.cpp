@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exact/rim_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "random.h"
+#include "union_find.h"
+
+namespace rimline::exact {
+namespace {
+
+// The doubtful triangles, and how they hang together.
+struct Doubt {
+  std::vector<Index> triangles;         // ascending
+  std::vector<double> gain;             // of leaving each out, before corners are looked at
+  std::vector<std::uint8_t> oversized;  // the choice by size alone: left out
+  std::vector<double> log_ratio, own;
+  std::vector<std::array<Index, 3>> beside;     // the triangles across its edges, or none
+  std::vector<std::array<double, 3>> contrast;  // worth of a rim between it, left out, and each of them, kept
+  std::vector<Index> vertices;                  // of these triangles, ascending
+  std::vector<std::array<std::uint32_t, 3>> slots;  // position of each triangle's vertices in `vertices`
+};
+
+constexpr double far_from_usual = 0.35;  // log_ratio beyond the spread that lets a hole start inside
+
+std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes, double doubtful) {
+  std::vector<std::uint8_t> depth(complex.size(), 0);
+  std::vector<Index> queue;
+  const auto push = [&](Index t, int d) {
+    depth[t] = static_cast<std::uint8_t>(d);
+    queue.push_back(t);
+  };
+  constexpr int deepest = 12;  // triangles from the rim
+  for (Index t = 0; t < complex.size(); ++t) {
+    const Triangle& x = complex.triangle(t);
+    bool rim = false;
+    for (int i = 0; i < 3; ++i) rim |= complex.across(t, x[i], x[(i + 1) % 3]) == none;
+    // Most triangles are small: their own stars tell before all around are asked.
+    if (!rim) {
+      double least = 0;
+      for (const Index v : x) {
+        const Points p = complex.points();
+        double m = 1e300;
+        for (const Index s : complex.star(v)) m = std::min(m, complex.radius(s));
+        least += m / 3;
+        (void)p;
+      }
+      if (complex.radius(t) < 1.3 * least) continue;
+    }
+    const double ratio = sizes.log_ratio(x);
+    if (rim ? ratio > doubtful : ratio > far_from_usual + sizes.spread(x)) push(t, 1);
+  }
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const Index t = queue[i];
+    if (depth[t] >= deepest) continue;
+    const Triangle& x = complex.triangle(t);
+    for (int k = 0; k < 3; ++k) {
+      const Index other = complex.across(t, x[k], x[(k + 1) % 3]);
+      if (other == none || depth[other] || sizes.log_ratio(complex.triangle(other)) <= doubtful) continue;
+      push(other, depth[t] + 1);
+    }
+  }
+  std::sort(queue.begin(), queue.end());
+  return queue;
+}
+
+Doubt collect(const Complex& complex, LocalSizes& sizes, const RimSearchOptions& options) {
+  Doubt doubt;
+  doubt.triangles = doubtful_triangles(complex, sizes, options.doubtful);
+  for (const Index t : doubt.triangles) {
+    const double ratio = sizes.log_ratio(complex.triangle(t));
+    doubt.log_ratio.push_back(ratio);
+    double largest = 0;
+    for (const Index v : complex.triangle(t)) largest = std::max(largest, sizes.own(v));
+    const double own = std::clamp(std::log(complex.radius(t) / largest), -1.0, 3.0);
+    doubt.own.push_back(own);
+    doubt.gain.push_back(options.weights.open + options.weights.size * ratio + options.weights.own * own);
+    for (const Index v : complex.triangle(t)) doubt.vertices.push_back(v);
+  }
+  for (const Index t : doubt.triangles) {
+    const Triangle& x = complex.triangle(t);
+    std::array<Index, 3> beside;
+    std::array<double, 3> contrast;
+    for (int k = 0; k < 3; ++k) {
+      const Index a = x[k], b = x[(k + 1) % 3];
+      beside[k] = complex.across(t, a, b);
+      contrast[k] = 0;
+      if (beside[k] == none) continue;
+      const double own = std::max(sizes.own(complex.apex(beside[k], a, b)), complex.radius(beside[k]));
+      const double c = std::log(complex.radius(t) / own);
+      contrast[k] = options.weights.contrast * std::clamp(c - options.weights.least_contrast, -1.0, 0.0);
+    }
+    doubt.beside.push_back(beside);
+    doubt.contrast.push_back(contrast);
+  }
+  std::sort(doubt.vertices.begin(), doubt.vertices.end());
+  doubt.vertices.erase(std::unique(doubt.vertices.begin(), doubt.vertices.end()), doubt.vertices.end());
+  for (const Index t : doubt.triangles) {
+    std::array<std::uint32_t, 3> slots;
+    for (int i = 0; i < 3; ++i) {
+      slots[i] = static_cast<std::uint32_t>(
+          std::lower_bound(doubt.vertices.begin(), doubt.vertices.end(), complex.triangle(t)[i]) -
+          doubt.vertices.begin());
+    }
+    doubt.slots.push_back(slots);
+  }
+  return doubt;
+}
+
+using Group = std::vector<std::uint32_t>;  // positions in Doubt::triangles
+
+std::vector<Group> group(const Doubt& doubt) {
+  UnionFind sets(doubt.vertices.size());
+  for (const auto& s : doubt.slots) {
+    sets.join(s[0], s[1]);
+    sets.join(s[0], s[2]);
+  }
+  std::vector<Group> groups;
+  std::vector<Index> group_of(doubt.vertices.size(), none);
+  for (std::uint32_t i = 0; i < doubt.slots.size(); ++i) {
+    Index& g = group_of[sets.find(doubt.slots[i][0])];
+    if (g == none) {
+      g = static_cast<Index>(groups.size());
+      groups.emplace_back();
+    }
+    groups[g].push_back(i);
+  }
+  return groups;
+}
+
+bool touches_rim(const Doubt& doubt, const Group& group) {
+  return std::any_of(group.begin(), group.end(), [&](std::uint32_t b) {
+    return std::find(doubt.beside[b].begin(), doubt.beside[b].end(), none) != doubt.beside[b].end();
+  });
+}
+
+using Chromosome = std::vector<std::uint8_t>;
+
+// The search in one group. The shared mask `kept` holds the chromosome that is worked on.
+class GroupSearch {
+ public:
+  GroupSearch(const Doubt& doubt, const Corners& corners, const Group& bits, const RimWeights& weights,
+              Kept& kept, Random random)
+      : doubt_(doubt), corners_(corners), bits_(bits), weights_(weights), kept_(kept), random_(random) {
+    for (std::uint32_t i = 0; i < bits_.size(); ++i) {
+      for (const std::uint32_t s : doubt_.slots[bits_[i]]) at_vertex_.push_back({s, i});
+    }
+    std::sort(at_vertex_.begin(), at_vertex_.end());
+    stamp_.assign(bits_.size(), 0);
+  }
+
+  struct Member {
+    Chromosome genes;
+    double fitness;
+  };
+
+  void load(const Chromosome& genes) {
+    for (std::size_t i = 0; i < bits_.size(); ++i) kept_[doubt_.triangles[bits_[i]]] = genes[i];
+  }
+  Chromosome store() const {
+    Chromosome genes(bits_.size());
+    for (std::size_t i = 0; i < bits_.size(); ++i) genes[i] = kept_[doubt_.triangles[bits_[i]]];
+    return genes;
+  }
+  double fitness_now() const {
+    double sum = 0;
+    for (const std::uint32_t b : bits_) sum += worth(b);
+    std::uint32_t last = ~0u;
+    for (const auto& [slot, bit] : at_vertex_) {
+      if (slot != last) sum -= corners_.cost(slot, kept_, weights_);
+      last = slot;
+    }
+    return sum;
+  }
+  Chromosome by_size(double threshold) const {
+    Chromosome genes(bits_.size());
+    for (std::size_t i = 0; i < bits_.size(); ++i) genes[i] = doubt_.log_ratio[bits_[i]] <= threshold;
+    return genes;
+  }
+
+  // What leaving a triangle out brings, where it is left out.
+  double worth(std::uint32_t b) const {
+    if (kept_[doubt_.triangles[b]]) return 0;
+    double sum = doubt_.gain[b];
+    for (int k = 0; k < 3; ++k) {
+      const Index other = doubt_.beside[b][k];
+      if (other != none && kept_[other]) sum += doubt_.contrast[b][k];
+    }
+    return sum;
+  }
+
+  // Flips the bits, and back again where that makes it worse. Returns the gain.
+  double try_flip(const std::vector<std::uint32_t>& which) {
+    touched_.clear();
+    for (const std::uint32_t i : which) {
+      for (const std::uint32_t s : doubt_.slots[bits_[i]]) touched_.push_back(s);
+    }
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    near_.clear();
+    for (const std::uint32_t i : which) {
+      near_.push_back(bits_[i]);
+      for (const Index other : doubt_.beside[bits_[i]]) {
+        const auto at = std::lower_bound(doubt_.triangles.begin(), doubt_.triangles.end(), other);
+        if (at != doubt_.triangles.end() && *at == other) near_.push_back(at - doubt_.triangles.begin());
+      }
+    }
+    std::sort(near_.begin(), near_.end());
+    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+    double gain = 0;
+    for (const std::uint32_t s : touched_) gain += corners_.cost(s, kept_, weights_);
+    for (const std::uint32_t b : near_) gain -= worth(b);
+    for (const std::uint32_t i : which) kept_[doubt_.triangles[bits_[i]]] ^= 1;
+    for (const std::uint32_t s : touched_) gain -= corners_.cost(s, kept_, weights_);
+    for (const std::uint32_t b : near_) gain += worth(b);
+    if (gain > 1e-9) return gain;
+    for (const std::uint32_t i : which) kept_[doubt_.triangles[bits_[i]]] ^= 1;
+    return 0;
+  }
+
+  // A connected set of up to `most` bits around a random one; those for which take() says yes.
+  template <class Take>
+  std::vector<std::uint32_t> region(std::uint32_t start, std::size_t most, const Take& take) {
+    std::vector<std::uint32_t> found{start};
+    ++epoch_;
+    stamp_[start] = epoch_;
+    for (std::size_t k = 0; k < found.size() && found.size() < most; ++k) {
+      for (const std::uint32_t s : doubt_.slots[bits_[found[k]]]) {
+        auto at = std::lower_bound(at_vertex_.begin(), at_vertex_.end(), std::pair(s, 0u));
+        for (; at != at_vertex_.end() && at->first == s && found.size() < most; ++at) {
+          if (stamp_[at->second] == epoch_ || !take(at->second)) continue;
+          stamp_[at->second] = epoch_;
+          found.push_back(at->second);
+        }
+      }
+    }
+    return found;
+  }
+
+  double climb() {
+    double gain = 0, before = -1;
+    for (int sweep = 0; sweep < 20 && gain > before; ++sweep) {
+      before = gain;
+      for (std::uint32_t i = 0; i < bits_.size(); ++i) gain += try_flip({i});
+    }
+    return gain;
+  }
+
+  std::vector<Member> first_population(int size) {
+    std::vector<Member> members;
+    for (int i = 0; i < size; ++i) {
+      // From all kept, over ever smaller sizes.
+      const double threshold = i == 0 ? 10 : 1.6 - 1.5 * (i - 1) / std::max(1, size - 2);
+      load(by_size(threshold));
+      climb();
+      members.push_back({store(), fitness_now()});
+    }
+    return members;
+  }
+
+  // One generation: every member takes over what improves it from others, and tries small changes.
+  void breed(std::vector<Member>& members) {
+    for (Member& member : members) {
+      load(member.genes);
+      const std::size_t crossings = 2 + bits_.size() / 4;
+      for (std::size_t c = 0; c < crossings; ++c) {
+        const Member& donor = members[random_.below(members.size())];
+        const std::uint32_t start = static_cast<std::uint32_t>(random_.below(bits_.size()));
+        const auto differs = [&](std::uint32_t i) {
+          return donor.genes[i] != kept_[doubt_.triangles[bits_[i]]];
+        };
+        if (!differs(start)) continue;
+        member.fitness += try_flip(region(start, std::size_t{2} << random_.below(7), differs));
+      }
+      const std::size_t mutations = 2 + bits_.size() / 4;
+      for (std::size_t m = 0; m < mutations; ++m) {
+        const std::uint32_t start = static_cast<std::uint32_t>(random_.below(bits_.size()));
+        const bool value = kept_[doubt_.triangles[bits_[start]]];
+        member.fitness += try_flip(region(start, 1 + random_.below(4), [&](std::uint32_t i) {
+          return kept_[doubt_.triangles[bits_[i]]] == value;
+        }));
+      }
+      member.genes = store();
+    }
+  }
+
+ private:
+  const Doubt& doubt_;
+  const Corners& corners_;
+  const Group& bits_;
+  const RimWeights& weights_;
+  Kept& kept_;
+  Random random_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> at_vertex_;
+  std::vector<std::uint32_t> touched_, near_, stamp_;
+  std::uint32_t epoch_ = 0;
+};
+
+}  // namespace
+
+RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const RimSearchOptions& options,
+                           const Run& run) {
+  RimSearchResult result;
+  result.kept.assign(complex.size(), 1);
+  const Doubt doubt = collect(complex, sizes, options);
+  const Corners corners(complex, doubt.vertices);
+  const std::vector<Group> groups = group(doubt);
+  result.doubtful = doubt.triangles.size();
+  result.groups = groups.size();
+  result.history_best.assign(options.generations, 0);
+  result.history_mean.assign(options.generations, 0);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (g % 256 == 0) run.progress(Stage::Loops, g, groups.size());
+    GroupSearch search(doubt, corners, groups[g], options.weights, result.kept,
+                       Random(run.seed, doubt.triangles[groups[g][0]]));
+    search.load(search.by_size(0.8));
+    result.greedy += search.fitness_now();
+    if (options.generations == 0) continue;
+    auto members = search.first_population(std::min<int>(options.population, 2 + 2 * groups[g].size()));
+    const auto better = [](const auto& a, const auto& b) { return a.fitness < b.fitness; };
+    double best = 0;
+    int stale = 0;
+    for (int i = 0; i < options.generations; ++i) {
+      const bool agree = std::all_of(members.begin(), members.end(),
+                                     [&](const auto& m) { return m.genes == members[0].genes; });
+      if (!agree && stale < 4) search.breed(members);
+      best = std::max_element(members.begin(), members.end(), better)->fitness;
+      double mean = 0;
+      for (const auto& m : members) mean += m.fitness / members.size();
+      result.history_best[i] += best;
+      result.history_mean[i] += mean;
+      stale = mean > best - 1e-9 ? stale + 1 : 0;
+    }
+    auto winner = std::max_element(members.begin(), members.end(), better);
+    // Inside the surface a hole must be worth more than chance brings about somewhere on a large surface. The
+    // first member is the climb from all kept.
+    if (!touches_rim(doubt, groups[g])) {
+      search.load(Chromosome(groups[g].size(), 1));
+      const double closed = search.fitness_now();
+      if (winner->fitness < closed + options.weights.birth) {
+        result.best += closed;
+        continue;
+      }
+    }
+    search.load(winner->genes);
+    result.best += winner->fitness;
+  }
+  return result;
+}
+
+}  // namespace rimline::exact

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The genetic search for the rim: which of the doubtful triangles belong to the surface.
+#pragma once
+
+#include <vector>
+
+#include "exact/complex.h"
+#include "exact/local_size.h"
+#include "exact/rim.h"
+#include "exact/rim_energy.h"
+#include "rimline/run.h"
+
+namespace rimline::exact {
+
+struct RimSearchOptions {
+  int population = 12;    // chromosomes per group of doubtful triangles
+  int generations = 30;   // most of them; a group stops where all agree. 0 leaves the greedy choice
+  double doubtful = 0.1;  // least log_ratio of a triangle that is doubtful where the rim reaches it
+  RimWeights weights;
+};
+
+struct RimSearchResult {
+  Kept kept;
+  std::size_t doubtful = 0;  // bits over all chromosomes
+  std::size_t groups = 0;
+  double greedy = 0, best = 0;                     // fitness
+  std::vector<double> history_best, history_mean;  // per generation, summed over the groups
+};
+
+// A chromosome says of each doubtful triangle whether it is kept. The rim of any set of triangles is a set of
+// closed loops, so any chromosome is a closed boundary, and so is what crossover and mutation make of it:
+// exchanging triangles adds (modulo 2) the boundary of what was exchanged.
+//
+// Doubtful triangles that share no vertex with others of their group do not influence each other, so each
+// group has a population of its own.
+RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const RimSearchOptions& options,
+                           const Run& run);
+
+}  // namespace rimline::exact

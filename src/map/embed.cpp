@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/embed.h"
+
+#include <algorithm>
+
+#include "map/weights.h"
+#include "parallel.h"
+
+namespace rimline {
+namespace {
+
+// Raises the evenness of all points within `rings` edges of the triangles given.
+std::size_t raise_evenness(const Triangulation& mesh, const std::vector<Index>& triangles, int rings,
+                           double step, std::vector<double>& evenness) {
+  std::vector<char> marked(evenness.size(), 0);
+  for (const Index t : triangles) {
+    for (const Index v : mesh.triangles[t]) marked[v] = 1;
+  }
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<char> before = marked;
+    for (const Triangle& t : mesh.triangles) {
+      if (before[t[0]] || before[t[1]] || before[t[2]]) marked[t[0]] = marked[t[1]] = marked[t[2]] = 1;
+    }
+  }
+  std::size_t touched = 0;
+  for (std::size_t v = 0; v < evenness.size(); ++v) {
+    if (marked[v]) evenness[v] = std::min(1.0, evenness[v] + step);
+    touched += evenness[v] > 0;
+  }
+  return touched;
+}
+
+}  // namespace
+
+std::vector<Index> flipped_triangles(const std::vector<Triangle>& triangles, const std::vector<UV>& uv,
+                                     const Run& run) {
+  std::vector<char> flipped(triangles.size());
+  parallel_for_each(triangles.size(), Stage::Refine, run, [&](Index t) {
+    const UV a = uv[triangles[t][0]], b = uv[triangles[t][1]], c = uv[triangles[t][2]];
+    const double area = (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+    flipped[t] = !(area > 0);
+  });
+  std::vector<Index> found;
+  for (std::size_t t = 0; t < flipped.size(); ++t) {
+    if (flipped[t]) found.push_back(static_cast<Index>(t));
+  }
+  return found;
+}
+
+Embedding embed(Points points, const Triangulation& mesh, const std::vector<Loop>& loops, double residual,
+                int repairs, std::vector<UV>& uv, const Run& run) {
+  constexpr double exact = 1e-14;  // as far as double goes: crowded places need it
+  const Index n = static_cast<Index>(points.size());
+  std::vector<char> fixed(uv.size(), 0);
+  for (const Index i : loops.front().points) fixed[i] = 1;
+  std::vector<double> evenness;
+  Embedding embedding;
+  for (int attempt = 0;; ++attempt) {
+    std::vector<WeightedEdge> edges = cotangent_edges(points, mesh, evenness, run);
+    add_wheels(loops, n, 1, edges);
+    const Graph graph = make_graph(static_cast<Index>(uv.size()), edges);
+    embedding.map = solve_map(graph, fixed, attempt == 0 ? residual : std::min(residual, exact), uv, run);
+    if (embedding.map.residual > residual) {
+      throw Error(ErrorCode::NoConvergence,
+                  "the map's linear system was not solved to the residual asked for");
+    }
+    const std::vector<Index> flipped = flipped_triangles(mesh.triangles, uv, run);
+    embedding.flips = flipped.size();
+    if (flipped.empty() || attempt == repairs) return embedding;
+    if (attempt == 0) {
+      evenness.assign(n, 0);  // once more, but exactly
+    } else {
+      embedding.evened = raise_evenness(mesh, flipped, attempt, attempt < repairs - 1 ? 0.5 : 1, evenness);
+    }
+    if (attempt == repairs - 1) std::fill(evenness.begin(), evenness.end(), 1);
+  }
+}
+
+}  // namespace rimline

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Weighted graphs over points, and the convex combination map that they define.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "map/stars.h"
+#include "rimline/mesh.h"
+#include "rimline/report.h"
+
+namespace rimline {
+
+// Both directions of each edge are stored, with the same positive weight; each row ascends by id.
+struct Graph {
+  std::vector<Index> offsets = {0};  // size() + 1
+  std::vector<Index> neighbours;
+  std::vector<double> weights;
+
+  Index size() const { return static_cast<Index>(offsets.size()) - 1; }
+};
+
+struct WeightedEdge {
+  Index a, b;
+  double weight;
+};
+
+// Edges named twice, in either direction, add up.
+Graph make_graph(Index size, const std::vector<WeightedEdge>& edges);
+
+// The nodes that no path joins to a fixed one, ascending: for these eq. (4) is singular.
+std::vector<Index> unreachable(const Graph& graph, const std::vector<char>& fixed);
+
+// Solves eq. (4) with the graph's weights: every node that is not fixed becomes the weighted mean of its
+// neighbours. `uv` holds the fixed positions and a first guess. The residual may end above `tolerance` where
+// rounding leaves no more. Throws UnreachableInterior, naming nodes, before any solve.
+MapSummary solve_map(const Graph& graph, const std::vector<char>& fixed, double tolerance,
+                     std::vector<UV>& uv, const Run& run);
+
+}  // namespace rimline

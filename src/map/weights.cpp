@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/weights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "parallel.h"
+
+namespace rimline {
+namespace {
+
+double cotangent(Point p, Point a, Point b) {
+  const Point e = a - p, f = b - p;
+  return dot(e, f) / std::max(norm(cross(e, f)), 1e-300);
+}
+
+}  // namespace
+
+std::vector<WeightedEdge> star_edges(const Stars& stars) {
+  // Four points on a circle leave a common edge of length zero: not a neighbour.
+  constexpr double least = 1e-6, most = 100;
+  std::vector<WeightedEdge> edges;
+  edges.reserve(stars.neighbours.size());
+  for (Index i = 0; i + 1 < static_cast<Index>(stars.offsets.size()); ++i) {
+    for (Index e = stars.offsets[i]; e < stars.offsets[i + 1]; ++e) {
+      const double weight = stars.weights[e];
+      if (weight > least) edges.push_back({i, stars.neighbours[e], 0.5 * std::min(weight, most)});
+    }
+  }
+  return edges;
+}
+
+void join_islands(const Neighbours& neighbours, const std::vector<char>& fixed,
+                  std::vector<WeightedEdge>& edges) {
+  constexpr double weak = 0.01;
+  while (true) {
+    const std::vector<Index> apart = unreachable(make_graph(static_cast<Index>(fixed.size()), edges), fixed);
+    if (apart.empty()) return;
+    std::vector<char> reached(fixed.size(), 1);
+    for (const Index i : apart) reached[i] = 0;
+    const std::size_t before = edges.size();
+    for (const Index i : apart) {
+      if (i >= neighbours.size()) continue;  // the centre of a hole
+      for (const Index j : neighbours.of(i)) {
+        if (reached[j]) edges.push_back({i, j, weak});
+      }
+    }
+    for (Index i = 0; i < neighbours.size(); ++i) {
+      if (!reached[i]) continue;
+      for (const Index j : neighbours.of(i)) {
+        if (!reached[j]) edges.push_back({i, j, weak});
+      }
+    }
+    if (edges.size() == before) return;
+  }
+}
+
+void add_wheels(const std::vector<Loop>& loops, Index point_count, double stiffness,
+                std::vector<WeightedEdge>& edges) {
+  for (std::size_t h = 1; h < loops.size(); ++h) {
+    const std::vector<Index>& rim = loops[h].points;
+    // Cotangent weights of the wheel over a regular polygon; over fewer than five corners the rim's own
+    // would not be positive.
+    const double half = std::numbers::pi / static_cast<double>(std::max<std::size_t>(rim.size(), 5));
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      edges.push_back({rim[i], static_cast<Index>(point_count + h - 1), stiffness * std::tan(half)});
+      edges.push_back({rim[i], rim[(i + 1) % rim.size()], stiffness * 0.5 / std::tan(2 * half)});
+    }
+  }
+}
+
+std::vector<WeightedEdge> cotangent_edges(Points points, const Triangulation& mesh,
+                                          std::span<const double> evenness, const Run& run) {
+  constexpr double least = 1e-3, most = 100;
+  std::vector<std::size_t> first(mesh.triangles.size() + 1, 0);  // where the edges that a triangle owns begin
+  const auto owns = [&](Index t, int c) { return mesh.adjacent[t][c] < t; };  // also where there is none
+  for (Index t = 0; t < mesh.size(); ++t) first[t + 1] = first[t] + owns(t, 0) + owns(t, 1) + owns(t, 2);
+  std::vector<WeightedEdge> edges(first.back());
+  parallel_for_each(mesh.triangles.size(), Stage::Refine, run, [&](Index t) {
+    std::size_t at = first[t];
+    const Triangle& v = mesh.triangles[t];
+    for (int c = 0; c < 3; ++c) {
+      if (!owns(t, c)) continue;
+      const Index a = v[next(c)], b = v[previous(c)], other = mesh.adjacent[t][c];
+      double weight = cotangent(points[v[c]], points[a], points[b]);
+      if (other != none) {
+        weight +=
+            cotangent(points[mesh.triangles[other][mesh.corner_across(other, t)]], points[a], points[b]);
+      }
+      weight = std::clamp(0.5 * weight, least, most);
+      if (!evenness.empty()) weight = std::pow(weight, 1 - std::max(evenness[a], evenness[b]));
+      edges[at++] = {a, b, weight};
+    }
+  });
+  return edges;
+}
+
+}  // namespace rimline

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The weights of the convex combination map: first among neighbours, then on a mesh.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "map/graph.h"
+#include "map/stars.h"
+#include "mesh/triangulation.h"
+
+namespace rimline {
+
+// The edges of the local Voronoi cells, each weight half of what either side says.
+std::vector<WeightedEdge> star_edges(const Stars& stars);
+
+// Joins nodes that no path leads to from a fixed one to those of their neighbours for which there is one,
+// weakly. What has no such neighbour either stays apart.
+void join_islands(const Neighbours& neighbours, const std::vector<char>& fixed,
+                  std::vector<WeightedEdge>& edges);
+
+// Closes each hole (all loops but the first) for the solve by one more node, joined to the rim as the centre
+// of a regular polygon is to its corners. The nodes follow the points. `stiffness` multiplies these weights.
+void add_wheels(const std::vector<Loop>& loops, Index point_count, double stiffness,
+                std::vector<WeightedEdge>& edges);
+
+// Half the cotangents of the angles opposite to each edge, in space: a discrete harmonic map (Pinkall &
+// Polthier 1993). Kept within [least, most], as an embedding needs positive weights (Tutte 1963; Floater
+// 1997) and double precision wants them within a few decades of each other. Where `evenness` is given (one
+// value of 0 to 1 per point), weights are drawn towards 1 by the larger value of the edge's ends.
+std::vector<WeightedEdge> cotangent_edges(Points points, const Triangulation& mesh,
+                                          std::span<const double> evenness, const Run& run);
+
+}  // namespace rimline

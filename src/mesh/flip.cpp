@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/flip.h"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace rimline {
+namespace {
+
+// The cotangent of the angle at p between a and b; huge where they fall together.
+double cotangent(Point p, Point a, Point b) {
+  const Point e = a - p, f = b - p;
+  const Point n = cross(e, f);
+  return dot(e, f) / std::max(std::sqrt(dot(n, n)), 1e-300);
+}
+
+class Flipper {
+ public:
+  Flipper(Points points, Triangulation& mesh, const Run& run)
+      : points_(points), mesh_(mesh), run_(run), queued_(mesh.triangles.size(), 0) {}
+
+  std::size_t flip_all() {
+    queue_.reserve(mesh_.triangles.size());
+    for (Index t = 0; t < mesh_.size(); ++t) push(t);
+    std::size_t flips = 0;
+    // Flips in space need not end as those in the plane do; far fewer than this are ever needed.
+    const std::size_t most = 50 * mesh_.triangles.size();
+    for (std::size_t at = 0; at < queue_.size() && flips < most; ++at) {
+      if (at % 65536 == 0) run_.check_cancel();
+      const Index t = queue_[at];
+      queued_[t] = 0;
+      for (int c = 0; c < 3; ++c) {
+        if (wants_flip(t, c) && flip(t, c)) {
+          ++flips;
+          break;
+        }
+      }
+    }
+    return flips;
+  }
+
+ private:
+  void push(Index t) {
+    if (queued_[t]) return;
+    queued_[t] = 1;
+    queue_.push_back(t);
+  }
+
+  bool wants_flip(Index t, int c) const {
+    constexpr double tie = 1e-9;  // of the cotangents' sum: squares keep the diagonal they have
+    const Index other = mesh_.adjacent[t][c];
+    if (other == none) return false;
+    const Triangle& v = mesh_.triangles[t];
+    const Index apex = mesh_.triangles[other][mesh_.corner_across(other, t)];
+    const Point a = points_[v[next(c)]], b = points_[v[previous(c)]];
+    return cotangent(points_[v[c]], a, b) + cotangent(points_[apex], a, b) < -tie;
+  }
+
+  // Whether an edge joins corner `c` of triangle t to vertex `w`: walks around the corner, both ways where
+  // the boundary is met.
+  bool joined(Index t, int c, Index w) const {
+    const Index v = mesh_.triangles[t][c];
+    for (const bool forward : {true, false}) {
+      Index at = t;
+      while (true) {
+        const int k = mesh_.corner_of(at, v);
+        const Triangle& x = mesh_.triangles[at];
+        if (x[next(k)] == w || x[previous(k)] == w) return true;
+        at = mesh_.adjacent[at][forward ? next(k) : previous(k)];
+        if (at == t) return false;
+        if (at == none) break;
+      }
+    }
+    return false;
+  }
+
+  // Replaces the edge opposite to corner c of t by the other diagonal of its two triangles.
+  bool flip(Index t, int c) {
+    const Index other = mesh_.adjacent[t][c];
+    const int d = mesh_.corner_across(other, t);
+    const Index p = mesh_.triangles[t][c], q = mesh_.triangles[other][d];
+    if (joined(t, c, q)) return false;
+    const Index a = mesh_.triangles[t][next(c)], b = mesh_.triangles[t][previous(c)];
+    const Index beyond_a = mesh_.adjacent[t][next(c)];         // across the edge b p
+    const Index beyond_b = mesh_.adjacent[t][previous(c)];     // across the edge p a
+    const Index other_a = mesh_.adjacent[other][previous(d)];  // across the edge q b
+    const Index other_b = mesh_.adjacent[other][next(d)];      // across the edge a q
+    mesh_.triangles[t] = {p, a, q};
+    mesh_.adjacent[t] = {other_b, other, beyond_b};
+    mesh_.triangles[other] = {q, b, p};
+    mesh_.adjacent[other] = {beyond_a, t, other_a};
+    relink(other_b, other, t);
+    relink(beyond_a, t, other);
+    push(t);
+    push(other);
+    for (const Index near : {beyond_a, beyond_b, other_a, other_b}) {
+      if (near != none) push(near);
+    }
+    return true;
+  }
+
+  void relink(Index triangle, Index before, Index after) {
+    if (triangle != none) mesh_.adjacent[triangle][mesh_.corner_across(triangle, before)] = after;
+  }
+
+  Points points_;
+  Triangulation& mesh_;
+  const Run& run_;
+  std::vector<char> queued_;
+  std::vector<Index> queue_;
+};
+
+}  // namespace
+
+std::size_t flip_edges(Points points, Triangulation& mesh, const Run& run) {
+  return Flipper(points, mesh, run).flip_all();
+}
+
+}  // namespace rimline

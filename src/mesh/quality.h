@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How good a mesh's edges are, for the refinement to steer by.
+#pragma once
+
+#include <span>
+
+#include "mesh/triangulation.h"
+
+namespace rimline {
+
+struct EdgeQuality {
+  double length = 0;  // of all inner edges together
+  std::size_t bad =
+      0;  // inner edges longer than 3 spacings of either end, or folded by more than 120 degrees
+};
+
+EdgeQuality edge_quality(Points points, const Triangulation& mesh, std::span<const double> spacing);
+
+}  // namespace rimline

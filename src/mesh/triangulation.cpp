@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/triangulation.h"
+
+#include <utility>
+
+namespace rimline {
+
+Triangulation triangulation_of(std::vector<Triangle> triangles, Index vertex_count) {
+  Triangulation mesh;
+  mesh.triangles = std::move(triangles);
+  mesh.adjacent.assign(mesh.triangles.size(), {none, none, none});
+  // The directed edges that leave each vertex, in one array.
+  std::vector<Index> offsets(vertex_count + 1, 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t) ++offsets[v + 1];
+  }
+  for (Index v = 0; v < vertex_count; ++v) offsets[v + 1] += offsets[v];
+  struct Leaving {
+    Index to, triangle;
+  };
+  std::vector<Leaving> leaving(offsets[vertex_count]);
+  std::vector<Index> at(offsets.begin(), offsets.end() - 1);
+  for (Index t = 0; t < mesh.size(); ++t) {
+    for (int c = 0; c < 3; ++c) leaving[at[mesh.triangles[t][c]]++] = {mesh.triangles[t][next(c)], t};
+  }
+  for (Index t = 0; t < mesh.size(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      const Index from = mesh.triangles[t][next(c)], to = mesh.triangles[t][previous(c)];
+      for (Index e = offsets[to]; e < offsets[to + 1]; ++e) {
+        if (leaving[e].to == from) mesh.adjacent[t][c] = leaving[e].triangle;
+      }
+    }
+  }
+  return mesh;
+}
+
+}  // namespace rimline

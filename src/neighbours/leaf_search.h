@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The k nearest points of all points of a leaf at once.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "neighbours/kd_tree.h"
+#include "rimline/neighbours.h"
+
+namespace rimline {
+
+// All points of a leaf look at the same places: those in leaves within a radius that sufficed for the leaf
+// before. Distances are compared in single precision first, with a margin for its error; what passes is
+// compared exactly, so that the lists are those of brute force whatever the radius was. A point for which it
+// was too small searches the tree alone.  [ours]
+class LeafSearch {
+ public:
+  LeafSearch(const KdTree& tree, int k);
+
+  // Writes the lists of the leaf's points into their slots of `result`.
+  void search(std::size_t leaf, Neighbours& result);
+
+ private:
+  struct Found {
+    double squared;  // distance
+    Index place;     // in the tree
+  };
+
+  bool gather(std::size_t leaf_node);
+  bool search_gathered(std::size_t place);
+  void pass(std::size_t place);
+  void keep_nearest();
+  void sort_found();
+  void search_tree(std::size_t place);
+  void visit(std::size_t node, std::size_t place);
+  bool before(const Found& a, const Found& b) const;
+  void write(std::size_t place, Neighbours& result) const;
+
+  const KdTree& tree_;
+  std::size_t k_;
+  std::vector<Found> found_;  // of the point that is searched for: k of them, sorted
+
+  double radius_ = 0;
+  float limit_ = 0;  // squared distances, in radii, that may be at most 1 when computed exactly
+  std::size_t first_ = 0, self_ = 0;  // place and position in the gathered of the leaf's first point
+  std::vector<std::size_t> stack_;
+  std::vector<Index> places_;      // gathered for the leaf
+  std::vector<float> x_, y_, z_;   // of the gathered, from the centre of the leaf, in radii
+  std::vector<float> squared_;     // of the gathered, from the point that is searched for
+  std::span<const Index> passed_;  // positions in the gathered of what may be within the radius
+  std::vector<Index> room_;        // for these
+};
+
+}  // namespace rimline

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "boundary/principal_axes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "random.h"
+#include "shapes.h"
+
+namespace rimline {
+namespace {
+
+Point times(const SymmetricMatrix& m, Point p) {
+  return {m.xx * p.x + m.xy * p.y + m.xz * p.z, m.xy * p.x + m.yy * p.y + m.yz * p.z,
+          m.xz * p.x + m.yz * p.y + m.zz * p.z};
+}
+
+// The matrix with these eigenvalues on axes turned by the three angles.
+SymmetricMatrix with_eigenvalues(double a, double b, double c, double turn) {
+  const auto v = shapes::turned({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, turn, 2 * turn, 3 * turn);
+  const auto sum = [&](double Point::*i, double Point::*j) {
+    return a * v[0].*i * v[0].*j + b * v[1].*i * v[1].*j + c * v[2].*i * v[2].*j;
+  };
+  return {sum(&Point::x, &Point::x), sum(&Point::x, &Point::y), sum(&Point::x, &Point::z),
+          sum(&Point::y, &Point::y), sum(&Point::y, &Point::z), sum(&Point::z, &Point::z)};
+}
+
+// The definition: m v = lambda v, orthonormal, ascending; errors relative to the largest eigenvalue.
+double error(const SymmetricMatrix& m) {
+  const PrincipalAxes axes = principal_axes(m);
+  const double size = std::max(std::abs(axes.lambda[0]), std::abs(axes.lambda[2]));
+  double worst = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Point residual = times(m, axes.v[i]) - axes.lambda[i] * axes.v[i];
+    worst = std::max(worst, size > 0 ? norm(residual) / size : norm(residual));
+    for (int j = 0; j < 3; ++j) {
+      worst = std::max(worst, std::abs(dot(axes.v[i], axes.v[j]) - (i == j)));
+    }
+    if (i > 0) CHECK(axes.lambda[i - 1] <= axes.lambda[i]);
+  }
+  return worst;
+}
+
+TEST_CASE("eigenvalues and vectors solve the equation that defines them, for random matrices") {
+  Random random(2);
+  const auto number = [&] { return 2 * random.uniform() - 1; };
+  for (int i = 0; i < 20'000; ++i) {
+    CHECK(error({number(), number(), number(), number(), number(), number()}) < 1e-14);
+  }
+}
+
+TEST_CASE("close, equal, zero and far apart eigenvalues have vectors as exact as any") {
+  const double values[] = {0, 1e-300, 1e-30, 1e-16, 1e-9, 0.5, 1 - 1e-15, 1, 1 + 1e-15, 1 + 1e-8, 1e9};
+  for (const double a : values) {
+    for (const double b : values) {
+      for (const double c : values) {
+        for (const double turn : {0.0, 1e-9, 0.1, 0.7, 2.0}) {
+          CHECK(error(with_eigenvalues(a, b, c, turn)) < 1e-14);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("known eigenvalues come back") {
+  const PrincipalAxes axes = principal_axes(with_eigenvalues(5, 0.25, 3, 0.4));
+  CHECK(axes.lambda[0] == doctest::Approx(0.25));
+  CHECK(axes.lambda[1] == doctest::Approx(3));
+  CHECK(axes.lambda[2] == doctest::Approx(5));
+}
+
+}  // namespace
+}  // namespace rimline
