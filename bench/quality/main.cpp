@@ -92,6 +92,7 @@ std::vector<CaseName> cases_of(const Settings& s) {
 
 std::vector<Method> methods_of(const Settings& s) {
   std::vector<Method> all = our_methods();
+  for (Method& stage : stage_methods()) all.push_back(std::move(stage));
   if (!s.no_peers) {
     for (Method& peer : peer_methods()) all.push_back(std::move(peer));
   }

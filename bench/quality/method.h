@@ -34,6 +34,8 @@ struct Method {
 
 // The library's default and presets.
 std::vector<Method> our_methods();
+// The steps of the default: "arcs", "greedy", "exact". docs/quality.md, "What the search adds"
+std::vector<Method> stage_methods();
 // Those whose program was built.
 std::vector<Method> peer_methods();
 

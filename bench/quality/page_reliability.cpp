@@ -43,8 +43,10 @@ std::string sets_table(const Rows& rows) {
 }  // namespace
 
 std::string reliability_section(const Results& results) {
-  const Rows rows = choose(results.rows, [](const Row& row) { return row.reliability.has_value(); });
-  if (rows.empty()) return "\n## Reliability\n\nNo method that ran gives probabilities.\n";
+  const Rows rows = choose(results.rows, [](const Row& row) {
+    return row.method == default_method && row.reliability.has_value();
+  });
+  if (rows.empty()) return "";
   const Rows analytic = choose(rows, [](const Row& row) { return row.name.group == "analytic"; });
   const Rows data = choose(rows, [](const Row& row) { return row.name.group == "data"; });
   Table table({"boundary_probability", "analytic: points", "true boundary", "data: points", "true boundary"});
