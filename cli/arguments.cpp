@@ -16,6 +16,7 @@ namespace rimline::cli {
 namespace {
 
 constexpr int most_threads = 1024;
+constexpr int least_panel = 100, most_panel = 1240;
 
 template <class T>
 std::string text_of(const T& value) {
@@ -189,6 +190,13 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
   command.add_option("--picture", arguments.picture, "Draw what was found, stage by stage")
       ->type_name("OUT.png|svg")
       ->group(files);
+  add_parsed(command, "--picture-size", "N",
+             fmt::format("Width and height of each of its panels in pixels. From {} to {}. Default {}.",
+                         least_panel, most_panel, arguments.picture_size),
+             files, [&](const std::string& text) {
+               arguments.picture_size =
+                   static_cast<int>(parse_whole("--picture-size", text, least_panel, most_panel));
+             });
   add_parsed(command, "--up", "X,Y,Z",
              "The mesh faces this way on average where the points have no normals, and the picture stands "
              "this way. Default 0,0,1.",
