@@ -79,6 +79,7 @@ bool holds(const Struct& options, const void* field) {
 std::string group_of(const Options& options, const void* field) {
   if (holds(options.boundary, field)) return "Boundary test (section 2)";
   if (holds(options.loops, field)) return "Loops (section 3)";
+  if (holds(options.exact, field)) return "Exact loops (preset default)";
   if (holds(options.map, field)) return "Map (section 5)";
   return "Mesh (section 5)";
 }
@@ -87,6 +88,15 @@ void add_fields(CLI::App& command, MethodArguments& arguments) {
   Options options = preset_options(Preset::Default);
   visit_fields(options, [&](auto field) {
     using T = std::remove_reference_t<decltype(field.value)>;
+    if constexpr (std::same_as<T, bool>) {
+      command
+          .add_flag_callback(
+              flag_name(field.name),
+              [&arguments, id = std::string(field.name)] { arguments.fields[id] = "on"; },
+              std::string(field.help))
+          ->group(group_of(options, &field.value));
+      return;
+    }
     const std::string value = std::is_enum_v<T> ? "NAME" : std::is_integral_v<T> ? "N" : "X";
     const std::string description =
         fmt::format("{}. {} {}", field.help, range_of(field), default_text(field.name));

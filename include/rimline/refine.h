@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "rimline/mesh.h"
@@ -14,8 +15,10 @@
 namespace rimline {
 
 struct RefineOptions {
-  int rounds = 4;           // most times the patch is triangulated anew from its map [ours]
-  double residual = 1e-10;  // of each linear system, relative to its right-hand side
+  int rounds = 4;               // most times the patch is triangulated anew from its map [ours]
+  double residual = 1e-10;      // of each linear system, relative to its right-hand side
+  double suspect_share = 0.05;  // of bad edges, above which a patch is reported as suspect [ours]
+  bool allow_partial = false;   // keep the other patches where one can not be meshed
 };
 
 // What one round did.
@@ -41,5 +44,32 @@ struct Patch {
 // Cancelled.
 Patch refine_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                    const RefineOptions& options, const Run& run);
+
+// One patch of a surface, or why it could not be meshed.
+struct PatchReport {
+  std::size_t points = 0, triangles = 0, loops = 0;
+  std::vector<RefineRound> rounds;
+  MapSummary map;
+  std::size_t uv_flips = 0, evened = 0;
+  double bad_share = 0;  // of the inner edges: longer than 3 spacings or folded beyond 120 degrees
+  bool suspect =
+      false;  // bad_share above RefineOptions::suspect_share: it folds over itself, or a loop is wrong
+  std::string failure;  // empty where it was meshed
+};
+
+// Any number of patches, meshed one by one.
+struct Surface {
+  std::vector<Triangle> triangles;  // patch after patch
+  std::vector<UV> uv;               // one per point; NaN for those of no patch. Patches lie side by side
+  std::vector<Index> patch;         // of each point, or `none`; of a point that two patches share, the last
+  std::vector<PatchReport> patches;
+  std::vector<Index> left_out;  // points that hang together with no loop, ascending
+};
+
+// Tells which points and loops belong together and meshes each patch. Where options.allow_partial is set, a
+// patch that fails is reported and the others stay; else it throws as refine_patch does, with the ids of
+// `points`. Throws NoClosedLoop where there are no loops.
+Surface refine_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
+                       const RefineOptions& options, const Run& run);
 
 }  // namespace rimline

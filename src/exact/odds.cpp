@@ -41,8 +41,9 @@ double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeight
   return weights.open + weights.size * ratio + weights.own * own - open + filled;
 }
 
-double loop_probability(std::size_t points, double emptiness) {
-  return logistic(5 * (emptiness - 0.95) + 0.8 * std::log(static_cast<double>(points) / 12));
+double loop_probability(std::size_t points, double emptiness, double thickness) {
+  const double size = std::log(std::min(24.0, static_cast<double>(points)) / 12);
+  return logistic(-1.5 + 0.8 * size - 10 * thickness + 2.3 * std::min(emptiness, 3.0));
 }
 
 double point_probability(double notch, bool on_rim, double chi_square_score, double loop_probability) {

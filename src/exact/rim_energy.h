@@ -23,7 +23,8 @@ struct RimWeights {
   double contrast = 4;     // per unit that the log ratio of the sizes on both sides of the rim ...
   double least_contrast = 0.4;  // ... falls short of this
   double pinch = 3;             // where fans meet in a point
-  double birth = 6;             // of a hole apart from all other rims
+  double birth = 3;             // of a hole apart from all other rims ...
+  double birth_spread = 15;     // ... and per unit of the spread of sizes around it
   double orphan = 12;           // a point that loses all its triangles
 };
 

@@ -33,7 +33,9 @@ struct RimSearchResult {
 //
 // Doubtful triangles that share no vertex with others of their group do not influence each other, so each
 // group has a population of its own.
-RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const RimSearchOptions& options,
-                           const Run& run);
+//
+// Triangles at a vertex marked in `barred` are not doubted: those around gaps that are no boundary.
+RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
+                           const RimSearchOptions& options, const Run& run);
 
 }  // namespace rimline::exact

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "map/embed.h"
+#include "map/pinches.h"
+#include "map/refine_patch.h"
 #include "map/topology.h"
 #include "map/weights.h"
 #include "mesh/constrained_delaunay.h"
@@ -30,18 +32,28 @@ void place_on_circle(Points points, const std::vector<Index>& loop, std::vector<
   }
 }
 
+// The spacing of every point, copies included.
+std::vector<double> spacing_with(const Neighbours& neighbours, const std::vector<Index>& copies) {
+  std::vector<double> spacing = local_spacing(neighbours);
+  for (const Index v : copies) spacing.push_back(spacing[v]);
+  return spacing;
+}
+
 class Refiner {
  public:
-  Refiner(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
+  // `points` may end in copies of points where loops touch; `neighbours` and `stars` know the others only.
+  Refiner(Points points, const Neighbours& neighbours, const Stars& stars, const Separated& outline,
           const RefineOptions& options, const Run& run)
       : points_(points),
         neighbours_(neighbours),
-        loops_(loops),
+        stars_(stars),
+        loops_(outline.loops),
+        copies_(outline.original),
         options_(options),
         run_(run),
-        spacing_(local_spacing(neighbours)),
-        uv_(points.size() + loops.size() - 1) {
-    place_on_circle(points, loops.front().points, uv_);
+        spacing_(spacing_with(neighbours, outline.original)),
+        uv_(points.size() + outline.loops.size() - 1) {
+    place_on_circle(points, loops_.front().points, uv_);
   }
 
   Patch refine() {
@@ -52,7 +64,7 @@ class Refiner {
     for (int round = 0; round < options_.rounds; ++round) {
       run_.progress(Stage::Refine, round, options_.rounds);
       Triangulation mesh = round == 0 ? triangulate_first() : triangulate();
-      const std::size_t flips = flip_edges(points_, mesh, run_);
+      const std::size_t flips = flip_edges(points_, mesh, copies_, run_);
       const EdgeQuality quality = edge_quality(points_, mesh, spacing_);
       patch.rounds.push_back({flips, quality.bad, quality.length});
       if (round == 0 && quality.bad >= doubtful) check_topology();
@@ -94,7 +106,6 @@ class Refiner {
 
   // The first map knows neighbours only, and rims may cross in it: then once more, the rims stiffer.
   Triangulation triangulate_first() {
-    stars_ = find_stars(points_, neighbours_, {}, {}, run_);
     for (const double stiffness : {1.0, 10.0, 100.0}) {
       map_neighbours(stiffness);
       try {
@@ -112,6 +123,7 @@ class Refiner {
     std::vector<char> fixed(nodes, 0);
     for (const Index i : loops_.front().points) fixed[i] = 1;
     std::vector<WeightedEdge> edges = star_edges(stars_);
+    if (!copies_.empty()) share_with_copies(points_, loops_, copies_, edges);
     add_wheels(loops_, static_cast<Index>(points_.size()), stiffness, edges);
     Graph graph = make_graph(nodes, edges);
     if (!unreachable(graph, fixed).empty()) {
@@ -131,11 +143,12 @@ class Refiner {
 
   Points points_;
   const Neighbours& neighbours_;
+  const Stars& stars_;
   const std::vector<Loop>& loops_;
+  const std::vector<Index>& copies_;
   const RefineOptions& options_;
   const Run& run_;
   std::vector<double> spacing_;
-  Stars stars_;
   std::vector<UV> uv_;  // points, then the centres of the holes
   Triangulation mesh_;  // the best so far
 };
@@ -144,7 +157,22 @@ class Refiner {
 
 Patch refine_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                    const RefineOptions& options, const Run& run) {
-  return Refiner(points, neighbours, loops, options, run).refine();
+  const Separated outline = separate_pinches(loops, static_cast<Index>(points.size()));
+  return refine_patch(points, neighbours, find_stars(points, neighbours, {}, {}, run), outline, options, run);
+}
+
+Patch refine_patch(Points points, const Neighbours& neighbours, const Stars& stars, const Separated& outline,
+                   const RefineOptions& options, const Run& run) {
+  if (outline.original.empty()) return Refiner(points, neighbours, stars, outline, options, run).refine();
+  const Index n = static_cast<Index>(points.size());
+  std::vector<Point> with_copies(points.begin(), points.end());
+  for (const Index v : outline.original) with_copies.push_back(points[v]);
+  Patch patch = Refiner(with_copies, neighbours, stars, outline, options, run).refine();
+  for (Triangle& t : patch.triangles) {
+    for (Index& v : t) v = v < n ? v : outline.original[v - n];
+  }
+  patch.uv.resize(points.size());
+  return patch;
 }
 
 }  // namespace rimline

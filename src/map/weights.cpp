@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "parallel.h"
@@ -29,6 +30,41 @@ std::vector<WeightedEdge> star_edges(const Stars& stars) {
     }
   }
   return edges;
+}
+
+void share_with_copies(Points points, const std::vector<Loop>& loops, const std::vector<Index>& original,
+                       std::vector<WeightedEdge>& edges) {
+  struct Pass {
+    Index id, before, after;  // the point or its copy, and its neighbours along the loop
+  };
+  const Index first_copy = static_cast<Index>(points.size() - original.size());
+  std::map<Index, std::vector<Pass>> passes;
+  for (const Index v : original) passes[v];
+  for (const Loop& loop : loops) {
+    const std::size_t n = loop.points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index id = loop.points[i];
+      const auto at = passes.find(id < first_copy ? id : original[id - first_copy]);
+      if (at != passes.end())
+        at->second.push_back({id, loop.points[(i + n - 1) % n], loop.points[(i + 1) % n]});
+    }
+  }
+  const auto nearest = [&](Index v, Index other) {
+    const auto at = passes.find(v);
+    if (at == passes.end()) return v;
+    const auto gap = [&](const Pass& pass) {
+      const Point p = points[other];
+      return std::min(squared_distance(points[pass.before], p), squared_distance(points[pass.after], p));
+    };
+    return std::min_element(at->second.begin(), at->second.end(),
+                            [&](const Pass& a, const Pass& b) { return gap(a) < gap(b); })
+        ->id;
+  };
+  for (WeightedEdge& e : edges) {
+    const Index a = nearest(e.a, e.b), b = nearest(e.b, e.a);
+    e.a = a;
+    e.b = b;
+  }
 }
 
 void join_islands(const Neighbours& neighbours, const std::vector<char>& fixed,

@@ -14,6 +14,12 @@ namespace rimline {
 // The edges of the local Voronoi cells, each weight half of what either side says.
 std::vector<WeightedEdge> star_edges(const Stars& stars);
 
+// Where loops touched in a point, two wedges of the surface meet, and a copy of the point (id point_count + i
+// for original[i]) has one of them: gives each edge of the point to the copy whose edges of the loop are
+// nearer.
+void share_with_copies(Points points, const std::vector<Loop>& loops, const std::vector<Index>& original,
+                       std::vector<WeightedEdge>& edges);
+
 // Joins nodes that no path leads to from a fixed one to those of their neighbours for which there is one,
 // weakly. What has no such neighbour either stays apart.
 void join_islands(const Neighbours& neighbours, const std::vector<char>& fixed,
