@@ -93,7 +93,7 @@ void add_fields(CLI::App& command, MethodArguments& arguments) {
           .add_flag_callback(
               flag_name(field.name),
               [&arguments, id = std::string(field.name)] { arguments.fields[id] = "on"; },
-              std::string(field.help))
+              fmt::format("{}. {}", field.help, default_text(field.name)))
           ->group(group_of(options, &field.value));
       return;
     }
