@@ -16,6 +16,7 @@ namespace rimline::cli {
 namespace {
 
 constexpr int most_threads = 1024;
+constexpr int least_panel = 100, most_panel = 1240;
 
 template <class T>
 std::string text_of(const T& value) {
@@ -92,7 +93,7 @@ void add_fields(CLI::App& command, MethodArguments& arguments) {
           .add_flag_callback(
               flag_name(field.name),
               [&arguments, id = std::string(field.name)] { arguments.fields[id] = "on"; },
-              std::string(field.help))
+              fmt::format("{}. {}", field.help, default_text(field.name)))
           ->group(group_of(options, &field.value));
       return;
     }
@@ -199,6 +200,13 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
   command.add_option("--picture", arguments.picture, "Draw what was found, stage by stage")
       ->type_name("OUT.png|svg")
       ->group(files);
+  add_parsed(command, "--picture-size", "N",
+             fmt::format("Width and height of each of its panels in pixels. From {} to {}. Default {}.",
+                         least_panel, most_panel, arguments.picture_size),
+             files, [&](const std::string& text) {
+               arguments.picture_size =
+                   static_cast<int>(parse_whole("--picture-size", text, least_panel, most_panel));
+             });
   add_parsed(command, "--up", "X,Y,Z",
              "The mesh faces this way on average where the points have no normals, and the picture stands "
              "this way. Default 0,0,1.",

@@ -23,7 +23,8 @@ void run_reconstruct(const MethodArguments& arguments) {
           .boundary = result.boundary,
           .uv = result.uv,
           .triangles = result.triangles,
-          .up = arguments.up},
+          .up = arguments.up,
+          .panel_size = arguments.picture_size},
          result.boundary.report, session);
 }
 
