@@ -43,7 +43,7 @@ double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeight
 
 double loop_probability(std::size_t points, double emptiness, double thickness) {
   const double size = std::log(std::min(24.0, static_cast<double>(points)) / 12);
-  return logistic(-1.5 + 0.8 * size - 10 * thickness + 2.3 * std::min(emptiness, 3.0));
+  return logistic(-2.4 + 0.8 * size - 7 * thickness + 2.4 * std::min(emptiness, 3.0));
 }
 
 double point_probability(double notch, bool on_rim, double chi_square_score, double loop_probability) {

@@ -25,6 +25,7 @@ struct RimWeights {
   double pinch = 3;             // where fans meet in a point
   double birth = 3;             // of a hole apart from all other rims ...
   double birth_spread = 15;     // ... and per unit of the spread of sizes around it
+  double birth_points = 1;      // ... and per e-fold of the points beyond 1,000: chance has more places
   double orphan = 12;           // a point that loses all its triangles
 };
 
