@@ -10,9 +10,10 @@
 
 namespace rimline::exact {
 
-// Log odds that rims are made of, fitted to known boundaries (bench/calibrate; docs/departures.md). The paper
-// sums scores over a path, eq. (3); here the score of a rim is the sum of what its notches gain by the size
-// of the triangles that are left out, less what its corners cost by their turning.
+// Log odds that rims are made of, started from a logistic regression on the notches of known boundaries and
+// then tuned on what the search finds. The paper sums scores over a path, eq. (3); here the score of a rim is
+// the sum of what its notches gain by the size of the triangles that are left out, less what its corners cost
+// by their turning.
 struct RimWeights {
   double open = 1.4;       // for each triangle left out ...
   double size = 0.7;       // ... and per log_ratio of it
