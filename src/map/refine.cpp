@@ -94,7 +94,7 @@ class Refiner {
 
   Patch refine() {
     // Bad edges in so small a share do not pay for one more round.
-    const std::size_t tolerated = 3 * points_.size() / 10000;
+    const std::size_t tolerated = 18 * points_.size() / 10000;  // 0.06 % of the edges
     Patch patch;
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < options_.rounds; ++round) {
