@@ -24,11 +24,11 @@
 namespace rimline::cli {
 namespace {
 
-constexpr int panel = 620;                  // width and height of a panel's drawing, in pixels
-constexpr int inset = 24;                   // left free around what is drawn
-constexpr int head = 76;                    // above the drawing, for the title
-constexpr int fine = 2;                     // image pixels per pixel, each way
-constexpr int gap = 20;                     // between panels
+constexpr int panel = 620;  // width and height of a panel's drawing; all lengths are for this size
+constexpr int inset = 24;   // left free around what is drawn
+constexpr int head = 76;    // above the drawing, for the title
+constexpr int fine = 2;     // image pixels per pixel, each way
+constexpr int gap = 20;     // between panels
 constexpr std::size_t most_edges = 40'000;  // more of them would only blacken the map
 
 constexpr Colour ink = {0.13, 0.15, 0.18};
@@ -243,7 +243,7 @@ void draw_edges(cairo_t* cairo, std::span<const Triangle> triangles, const std::
       cairo_line_to(cairo, at[to].x, at[to].y);
     }
   }
-  set_colour(cairo, ink, 0.45);
+  set_colour(cairo, ink, 0.35);
   cairo_set_line_width(cairo, 0.35);
   cairo_stroke(cairo);
 }
@@ -396,12 +396,16 @@ void write_picture(const std::string& path, const Scene& scene, const Run& run) 
   const Raster screen = solid(stage, run);
   const auto panels = panels_of(stage, screen, run);
   const int width = gap + static_cast<int>(panels.size()) * (panel + gap), height = head + panel + gap;
+  const double scale = static_cast<double>(scene.panel_size) / panel;
   const bool svg = ending_of(path) == "svg";
   std::string bytes;
-  const Surface surface(svg ? cairo_svg_surface_create_for_stream(append, &bytes, width, height)
-                            : cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height),
-                        &cairo_surface_destroy);
+  const Surface surface(
+      svg ? cairo_svg_surface_create_for_stream(append, &bytes, scale * width, scale * height)
+          : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(scale * width)),
+                                       static_cast<int>(std::lround(scale * height))),
+      &cairo_surface_destroy);
   const Context cairo(cairo_create(surface.get()), &cairo_destroy);
+  cairo_scale(cairo.get(), scale, scale);
   draw_all(cairo.get(), panels, run);
   cairo_status_t status = cairo_status(cairo.get());
   if (!svg) status = std::max(status, cairo_surface_write_to_png_stream(surface.get(), append, &bytes));

@@ -17,11 +17,12 @@ std::string points_line(const PointCounts& points) {
   if (points.not_finite > 0) text += fmt::format(", {} not finite", with_commas(points.not_finite));
   if (points.duplicates > 0) text += fmt::format(", {} duplicates", with_commas(points.duplicates));
   if (points.stray > 0) text += fmt::format(", {} stray", with_commas(points.stray));
+  if (points.unmeshed > 0) text += fmt::format(", {} in no triangle", with_commas(points.unmeshed));
   return line("points", text);
 }
 
 std::string loop_lines(const std::vector<Loop>& loops) {
-  if (loops.empty()) return line("loops", "none: the surface has no boundary");
+  if (loops.empty()) return line("loops", "none");
   std::string text;
   for (std::size_t i = 0; i < loops.size() && i < most_loops_listed; ++i) {
     text +=

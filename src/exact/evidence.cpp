@@ -6,8 +6,8 @@
 
 namespace rimline::exact {
 
-double emptiness_beyond(Points points, const Neighbours& neighbours, const std::vector<double>& spacing, Index a,
-                        Index b, Index inner) {
+double emptiness_beyond(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                        Index a, Index b, Index inner) {
   constexpr double most = 5;
   const double h = std::max(spacing[a], spacing[b]);
   const Point middle = 0.5 * (points[a] + points[b]);
@@ -16,23 +16,17 @@ double emptiness_beyond(Points points, const Neighbours& neighbours, const std::
   Point out = middle - points[inner];
   out = out - dot(out, along) * along;
   out = (1 / std::max(norm(out), 1e-300)) * out;
-  const Point up = cross(along, out);
-  double least = most;
-  for (const double angle : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-    const Point direction = std::cos(angle) * out + std::sin(angle) * up;
-    // A ball with centre middle + s * direction through both ends also passes through q for this s.
-    double nearest = most * h;
-    for (const Index end : {a, b}) {
-      for (const Index q : neighbours.of(end)) {
-        if (q == a || q == b || q == inner) continue;
-        const Point d = points[q] - middle;
-        const double ahead = dot(direction, d);
-        if (ahead > 1e-6 * h) nearest = std::min(nearest, (dot(d, d) - half_squared) / (2 * ahead));
-      }
+  // A ball with centre middle + s * out through both ends also passes through q for this s.
+  double nearest = most * h;
+  for (const Index end : {a, b}) {
+    for (const Index q : neighbours.of(end)) {
+      if (q == a || q == b || q == inner) continue;
+      const Point d = points[q] - middle;
+      const double ahead = dot(out, d);
+      if (ahead > 1e-6 * h) nearest = std::min(nearest, (dot(d, d) - half_squared) / (2 * ahead));
     }
-    least = std::min(least, nearest <= 0 ? 0 : std::sqrt(nearest * nearest + half_squared) / h);
   }
-  return least;
+  return nearest <= 0 ? 0 : std::min(most, std::sqrt(nearest * nearest + half_squared) / h);
 }
 
 }  // namespace rimline::exact

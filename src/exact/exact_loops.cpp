@@ -26,11 +26,6 @@ const char* name(PointLabel label) {
   return names[static_cast<std::size_t>(label)];
 }
 
-const char* name(LoopPolicy policy) {
-  constexpr std::array names{"all", "outer", "largest"};
-  return names[static_cast<std::size_t>(policy)];
-}
-
 namespace exact {
 namespace {
 
@@ -44,19 +39,20 @@ void check(Points points, const ExactLoopOptions& options) {
                 "loops need at least 4 points, there are " + std::to_string(points.size()));
   }
   if (options.min_loop < 3) throw Error(ErrorCode::BadOption, "min_loop must be at least 3");
-  if (options.population < 2) throw Error(ErrorCode::BadOption, "population must be at least 2");
-  if (options.generations < 0) throw Error(ErrorCode::BadOption, "generations must not be negative");
+  if (options.rim_population < 2) throw Error(ErrorCode::BadOption, "rim_population must be at least 2");
+  if (options.rim_generations < 0) throw Error(ErrorCode::BadOption, "rim_generations must not be negative");
 }
 
 // One survey: the members are what the steps find, in their order.
 class Survey {
  public:
   Survey(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
-         const ExactLoopOptions& options, const Run& run)
+         const ExactLoopOptions& options, double length_exponent, const Run& run)
       : points_(points),
         neighbours_(neighbours),
         scores_(scores),
         options_(options),
+        length_exponent_(length_exponent),
         run_(run),
         spacing_(local_spacing(neighbours)),
         frames_(fit_frames(points, neighbours, run)),
@@ -86,18 +82,18 @@ class Survey {
 
   void search() {
     RimSearchOptions o;
-    o.population = options_.population;
-    o.generations = options_.generations;
+    o.population = options_.rim_population;
+    o.generations = options_.rim_generations;
     RimSearchSummary& summary = result_.search;
-    summary.history.assign(options_.generations, {});
+    summary.history.assign(options_.rim_generations, {});
     for (int round = 0; round < 2; ++round) {
       LocalSizes sizes(complex_, neighbours_);
-      RimSearchResult found = search_rim(complex_, sizes, o, run_);
+      RimSearchResult found = search_rim(complex_, sizes, bar_gaps(), o, run_);
       summary.doubtful += found.doubtful;
       summary.groups += found.groups;
       summary.greedy += found.greedy;
       summary.best += found.best;
-      for (int i = 0; i < options_.generations; ++i) {
+      for (int i = 0; i < options_.rim_generations; ++i) {
         summary.history[i].best += found.history_best[i];
         summary.history[i].mean += found.history_mean[i];
       }
@@ -109,6 +105,18 @@ class Survey {
         fill_notches(complex_, spacing_, largest_mended);
       }
     }
+  }
+
+  // Marks the points of rims that are no boundary, as they stand: at creases and thin walls stars do not
+  // agree and leave gaps, which the search would only tear open.
+  std::vector<std::uint8_t> bar_gaps() const {
+    const Kept all(complex_.size(), 1);
+    std::vector<std::uint8_t> barred(points_.size(), 0);
+    for (const auto& loop : walk_rims(complex_, all)) {
+      if (rim_probability(loop, all) >= 0.5) continue;
+      for (const Index v : loop) barred[v] = 1;
+    }
+    return barred;
   }
 
   void measure_sheets() {
@@ -137,11 +145,12 @@ class Survey {
     }
   }
 
-  Index triangle_at(Index a, Index b) const {
+  Index triangle_at(Index a, Index b) const { return triangle_at(a, b, kept_); }
+  Index triangle_at(Index a, Index b, const Kept& kept) const {
     Index found[2];
     const int count = complex_.edge(a, b, found);
     for (int i = 0; i < count; ++i) {
-      if (kept_[found[i]]) return found[i];
+      if (kept[found[i]]) return found[i];
     }
     return none;
   }
@@ -153,7 +162,7 @@ class Survey {
       c.loop.component = sheets_.of_triangle[t];
       c.loop.points = std::move(ids);
       c.loop.length = loop_length(points_, c.loop.points);
-      c.loop.probability = loop_probability(c.loop.points);
+      c.loop.probability = rim_probability(c.loop.points, kept_);
       c.returned = static_cast<int>(c.loop.points.size()) >= options_.min_loop &&
                    c.loop.probability >= options_.min_probability &&
                    result_.components[c.loop.component].triangles >= least_sheet;
@@ -161,15 +170,17 @@ class Survey {
     }
   }
 
-  double loop_probability(const std::vector<Index>& ids) const {
+  double rim_probability(const std::vector<Index>& ids, const Kept& kept) const {
     std::vector<double> empty;
+    double thickness = 0;
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const Index a = ids[i], b = ids[i + 1 < ids.size() ? i + 1 : 0];
-      const Index t = triangle_at(a, b);
+      const Index t = triangle_at(a, b, kept);
       empty.push_back(emptiness_beyond(points_, neighbours_, spacing_, a, b, complex_.apex(t, a, b)));
+      thickness += frames_[a].thickness / static_cast<double>(ids.size());
     }
     std::nth_element(empty.begin(), empty.begin() + empty.size() / 2, empty.end());
-    return exact::loop_probability(ids.size(), empty[empty.size() / 2]);
+    return loop_probability(ids.size(), empty[empty.size() / 2], thickness);
   }
 
   // How much a loop looks like the outer one of its component: its extent, more where the surface lies inside
@@ -243,13 +254,15 @@ class Survey {
         rate(ids[i], c, notch_log_odds(complex_, sizes, weights, run), true);
         // The point behind the next edge would be on the rim if its triangle were left out.
         const Index inner = complex_.apex(triangle_at(run[2], run[3]), run[2], run[3]);
-        rate(inner, c, notch_log_odds(complex_, sizes, weights, {run[1], run[2], inner, run[3], run[4]}), false);
+        rate(inner, c, notch_log_odds(complex_, sizes, weights, {run[1], run[2], inner, run[3], run[4]}),
+             false);
       }
     }
     for (Loop& loop : result_.loops) {
       double sum = 0;  // eq. (3), on the log score -log(1 - p)
-      for (const Index id : loop.points) sum -= std::log1p(-std::min(0.999999, double{result_.probability[id]}));
-      loop.fitness = sum / std::pow(static_cast<double>(loop.points.size()), options_.length_exponent);
+      for (const Index id : loop.points)
+        sum -= std::log1p(-std::min(0.999999, double{result_.probability[id]}));
+      loop.fitness = sum / std::pow(static_cast<double>(loop.points.size()), length_exponent_);
     }
   }
 
@@ -282,6 +295,7 @@ class Survey {
   const Neighbours& neighbours_;
   const BoundaryScores& scores_;
   const ExactLoopOptions& options_;
+  double length_exponent_;
   const Run& run_;
   std::vector<double> spacing_;
   std::vector<Frame> frames_;
@@ -296,9 +310,9 @@ class Survey {
 }  // namespace exact
 
 BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
-                                const ExactLoopOptions& options, const Run& run) {
+                                const ExactLoopOptions& options, double length_exponent, const Run& run) {
   exact::check(points, options);
-  return exact::Survey(points, neighbours, scores, options, run).find();
+  return exact::Survey(points, neighbours, scores, options, length_exponent, run).find();
 }
 
 }  // namespace rimline

@@ -15,8 +15,8 @@ struct LocalSize {
   double spread = 0;  // interquartile range over median: about 0 on a grid, 0.3 on scans, 0.5 at random
 };
 
-// Spacing alone does not say which triangle is too large: a rim triangle of one spacing closes a true notch on
-// an even sample and is nothing unusual on a random one. Values are computed when first asked for.
+// Spacing alone does not say which triangle is too large: a rim triangle of one spacing closes a true notch
+// on an even sample and is nothing unusual on a random one. Values are computed when first asked for.
 class LocalSizes {
  public:
   LocalSizes(const Complex& complex, const Neighbours& neighbours)

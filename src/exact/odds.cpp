@@ -34,15 +34,16 @@ double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeight
   for (const Index v : triangle) largest = std::max(largest, sizes.own(v));
   const Points p = complex.points();
   const double own = std::clamp(std::log(circumradius(p[a], p[b], p[c]) / largest), -1.0, 3.0);
-  const double open = cost(turning(complex, before, a, b), weights) + cost(turning(complex, a, b, c), weights) +
-                      cost(turning(complex, b, c, after), weights);
+  const double open = cost(turning(complex, before, a, b), weights) +
+                      cost(turning(complex, a, b, c), weights) + cost(turning(complex, b, c, after), weights);
   const double filled =
       cost(turning(complex, before, a, c), weights) + cost(turning(complex, a, c, after), weights);
   return weights.open + weights.size * ratio + weights.own * own - open + filled;
 }
 
-double loop_probability(std::size_t points, double emptiness) {
-  return logistic(5 * (emptiness - 0.95) + 0.8 * std::log(static_cast<double>(points) / 12));
+double loop_probability(std::size_t points, double emptiness, double thickness) {
+  const double size = std::log(std::min(24.0, static_cast<double>(points)) / 12);
+  return logistic(-1.5 + 0.8 * size - 10 * thickness + 2.3 * std::min(emptiness, 3.0));
 }
 
 double point_probability(double notch, bool on_rim, double chi_square_score, double loop_probability) {

@@ -16,9 +16,9 @@ namespace rimline::exact {
 double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeights& weights,
                       const std::array<Index, 5>& run);
 
-// That a rim of so many points, beyond half of whose edges a ball of `emptiness` spacings is empty, is a
-// boundary of the surface and not the edge of what could be triangulated.
-double loop_probability(std::size_t points, double emptiness);
+// That a rim is a boundary of the surface and not the end of what could be triangulated: by its number of
+// points, the median over its edges of emptiness_beyond(), and the mean thickness of the frames along it.
+double loop_probability(std::size_t points, double emptiness, double thickness);
 
 // That a point is on the boundary: one on a rim (or right behind it), by the log odds of its notch, its
 // chi-square score -log p, and the probability of the rim.

@@ -18,7 +18,7 @@ Corners::Corners(const Complex& complex, const std::vector<Index>& vertices) {
 
 void Corners::add_vertex(const Complex& complex, Index vertex) {
   std::vector<Index> left(complex.star(vertex).begin(), complex.star(vertex).end());
-  const auto others = [&](Index t, Index (&pair)[2]) {
+  const auto others = [&](Index t, Index(&pair)[2]) {
     int count = 0;
     for (const Index v : complex.triangle(t)) {
       if (v != vertex) pair[count++] = v;

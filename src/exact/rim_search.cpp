@@ -13,19 +13,21 @@ namespace {
 
 // The doubtful triangles, and how they hang together.
 struct Doubt {
-  std::vector<Index> triangles;                // ascending
-  std::vector<double> gain;                    // of leaving each out, before corners are looked at
-  std::vector<std::uint8_t> oversized;         // the choice by size alone: left out
-  std::vector<double> log_ratio, own;
-  std::vector<std::array<Index, 3>> beside;      // the triangles across its edges, or none
-  std::vector<std::array<double, 3>> contrast;   // worth of a rim between it, left out, and each of them, kept
-  std::vector<Index> vertices;                 // of these triangles, ascending
+  std::vector<Index> triangles;         // ascending
+  std::vector<double> gain;             // of leaving each out, before corners are looked at
+  std::vector<std::uint8_t> oversized;  // the choice by size alone: left out
+  std::vector<double> log_ratio, own, spread;
+  std::vector<std::array<Index, 3>> beside;     // the triangles across its edges, or none
+  std::vector<std::array<double, 3>> contrast;  // worth of a rim between it, left out, and each of them, kept
+  std::vector<Index> vertices;                  // of these triangles, ascending
   std::vector<std::array<std::uint32_t, 3>> slots;  // position of each triangle's vertices in `vertices`
 };
 
 constexpr double far_from_usual = 0.35;  // log_ratio beyond the spread that lets a hole start inside
 
-std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes, double doubtful) {
+std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
+                                      const std::vector<std::uint8_t>& barred, double doubtful) {
+  const auto is_barred = [&](const Triangle& x) { return barred[x[0]] || barred[x[1]] || barred[x[2]]; };
   std::vector<std::uint8_t> depth(complex.size(), 0);
   std::vector<Index> queue;
   const auto push = [&](Index t, int d) {
@@ -35,6 +37,7 @@ std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
   constexpr int deepest = 12;  // triangles from the rim
   for (Index t = 0; t < complex.size(); ++t) {
     const Triangle& x = complex.triangle(t);
+    if (is_barred(x)) continue;
     bool rim = false;
     for (int i = 0; i < 3; ++i) rim |= complex.across(t, x[i], x[(i + 1) % 3]) == none;
     // Most triangles are small: their own stars tell before all around are asked.
@@ -58,7 +61,9 @@ std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
     const Triangle& x = complex.triangle(t);
     for (int k = 0; k < 3; ++k) {
       const Index other = complex.across(t, x[k], x[(k + 1) % 3]);
-      if (other == none || depth[other] || sizes.log_ratio(complex.triangle(other)) <= doubtful) continue;
+      if (other == none || depth[other] || is_barred(complex.triangle(other)) ||
+          sizes.log_ratio(complex.triangle(other)) <= doubtful)
+        continue;
       push(other, depth[t] + 1);
     }
   }
@@ -66,9 +71,10 @@ std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
   return queue;
 }
 
-Doubt collect(const Complex& complex, LocalSizes& sizes, const RimSearchOptions& options) {
+Doubt collect(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
+              const RimSearchOptions& options) {
   Doubt doubt;
-  doubt.triangles = doubtful_triangles(complex, sizes, options.doubtful);
+  doubt.triangles = doubtful_triangles(complex, sizes, barred, options.doubtful);
   for (const Index t : doubt.triangles) {
     const double ratio = sizes.log_ratio(complex.triangle(t));
     doubt.log_ratio.push_back(ratio);
@@ -76,6 +82,7 @@ Doubt collect(const Complex& complex, LocalSizes& sizes, const RimSearchOptions&
     for (const Index v : complex.triangle(t)) largest = std::max(largest, sizes.own(v));
     const double own = std::clamp(std::log(complex.radius(t) / largest), -1.0, 3.0);
     doubt.own.push_back(own);
+    doubt.spread.push_back(sizes.spread(complex.triangle(t)));
     doubt.gain.push_back(options.weights.open + options.weights.size * ratio + options.weights.own * own);
     for (const Index v : complex.triangle(t)) doubt.vertices.push_back(v);
   }
@@ -128,12 +135,6 @@ std::vector<Group> group(const Doubt& doubt) {
     groups[g].push_back(i);
   }
   return groups;
-}
-
-bool touches_rim(const Doubt& doubt, const Group& group) {
-  return std::any_of(group.begin(), group.end(), [&](std::uint32_t b) {
-    return std::find(doubt.beside[b].begin(), doubt.beside[b].end(), none) != doubt.beside[b].end();
-  });
 }
 
 using Chromosome = std::vector<std::uint8_t>;
@@ -193,6 +194,14 @@ class GroupSearch {
 
   // Flips the bits, and back again where that makes it worse. Returns the gain.
   double try_flip(const std::vector<std::uint32_t>& which) {
+    const double gain = flip(which);
+    if (gain > 1e-9) return gain;
+    for (const std::uint32_t i : which) kept_[doubt_.triangles[bits_[i]]] ^= 1;
+    return 0;
+  }
+
+  // Flips the bits and returns what the fitness gains.
+  double flip(const std::vector<std::uint32_t>& which) {
     touched_.clear();
     for (const std::uint32_t i : which) {
       for (const std::uint32_t s : doubt_.slots[bits_[i]]) touched_.push_back(s);
@@ -215,9 +224,7 @@ class GroupSearch {
     for (const std::uint32_t i : which) kept_[doubt_.triangles[bits_[i]]] ^= 1;
     for (const std::uint32_t s : touched_) gain -= corners_.cost(s, kept_, weights_);
     for (const std::uint32_t b : near_) gain += worth(b);
-    if (gain > 1e-9) return gain;
-    for (const std::uint32_t i : which) kept_[doubt_.triangles[bits_[i]]] ^= 1;
-    return 0;
+    return gain;
   }
 
   // A connected set of up to `most` bits around a random one; those for which take() says yes.
@@ -286,7 +293,51 @@ class GroupSearch {
     }
   }
 
+  // Inside the surface a hole must be worth more than chance brings about somewhere on a large surface; the
+  // others are closed. Returns what that changes the fitness by.
+  double close_doubtful_holes() {
+    double change = 0;
+    std::vector<std::uint8_t> seen(bits_.size(), 0);
+    for (std::uint32_t i = 0; i < bits_.size(); ++i) {
+      if (seen[i] || kept_[doubt_.triangles[bits_[i]]]) continue;
+      bool outside = false;
+      double spread = 0;
+      const std::vector<std::uint32_t> hole = void_at(i, seen, outside, spread);
+      if (outside) continue;
+      const double gain = flip(hole);
+      if (-gain >= weights_.birth + weights_.birth_spread * spread) {
+        flip(hole);
+      } else {
+        change += gain;
+      }
+    }
+    return change;
+  }
+
  private:
+  // The left out triangles that hang together with one, over edges.
+  std::vector<std::uint32_t> void_at(std::uint32_t start, std::vector<std::uint8_t>& seen, bool& outside,
+                                     double& spread) const {
+    std::vector<std::uint32_t> found{start};
+    seen[start] = 1;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      spread += doubt_.spread[bits_[found[k]]];
+      for (const Index other : doubt_.beside[bits_[found[k]]]) {
+        if (other == none) {
+          outside = true;
+        } else if (!kept_[other]) {
+          const auto at = std::lower_bound(bits_.begin(), bits_.end(), other,
+                                           [&](std::uint32_t b, Index t) { return doubt_.triangles[b] < t; });
+          const auto position = static_cast<std::uint32_t>(at - bits_.begin());
+          if (!seen[position]) found.push_back(position);
+          seen[position] = 1;
+        }
+      }
+    }
+    spread /= found.size();
+    return found;
+  }
+
   const Doubt& doubt_;
   const Corners& corners_;
   const Group& bits_;
@@ -300,11 +351,11 @@ class GroupSearch {
 
 }  // namespace
 
-RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const RimSearchOptions& options,
-                           const Run& run) {
+RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
+                           const RimSearchOptions& options, const Run& run) {
   RimSearchResult result;
   result.kept.assign(complex.size(), 1);
-  const Doubt doubt = collect(complex, sizes, options);
+  const Doubt doubt = collect(complex, sizes, barred, options);
   const Corners corners(complex, doubt.vertices);
   const std::vector<Group> groups = group(doubt);
   result.doubtful = doubt.triangles.size();
@@ -323,7 +374,8 @@ RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const RimS
     double best = 0;
     int stale = 0;
     for (int i = 0; i < options.generations; ++i) {
-      const bool agree = std::all_of(members.begin(), members.end(), [&](const auto& m) { return m.genes == members[0].genes; });
+      const bool agree = std::all_of(members.begin(), members.end(),
+                                     [&](const auto& m) { return m.genes == members[0].genes; });
       if (!agree && stale < 4) search.breed(members);
       best = std::max_element(members.begin(), members.end(), better)->fitness;
       double mean = 0;
@@ -333,18 +385,8 @@ RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const RimS
       stale = mean > best - 1e-9 ? stale + 1 : 0;
     }
     auto winner = std::max_element(members.begin(), members.end(), better);
-    // Inside the surface a hole must be worth more than chance brings about somewhere on a large surface. The
-    // first member is the climb from all kept.
-    if (!touches_rim(doubt, groups[g])) {
-      search.load(Chromosome(groups[g].size(), 1));
-      const double closed = search.fitness_now();
-      if (winner->fitness < closed + options.weights.birth) {
-        result.best += closed;
-        continue;
-      }
-    }
     search.load(winner->genes);
-    result.best += winner->fitness;
+    result.best += winner->fitness + search.close_doubtful_holes();
   }
   return result;
 }

@@ -23,7 +23,7 @@ struct RimSearchResult {
   Kept kept;
   std::size_t doubtful = 0;  // bits over all chromosomes
   std::size_t groups = 0;
-  double greedy = 0, best = 0;  // fitness
+  double greedy = 0, best = 0;                     // fitness
   std::vector<double> history_best, history_mean;  // per generation, summed over the groups
 };
 
@@ -33,7 +33,9 @@ struct RimSearchResult {
 //
 // Doubtful triangles that share no vertex with others of their group do not influence each other, so each
 // group has a population of its own.
-RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const RimSearchOptions& options,
-                           const Run& run);
+//
+// Triangles at a vertex marked in `barred` are not doubted: those around gaps that are no boundary.
+RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
+                           const RimSearchOptions& options, const Run& run);
 
 }  // namespace rimline::exact

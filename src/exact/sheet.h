@@ -10,15 +10,15 @@
 namespace rimline::exact {
 
 struct Sheets {
-  std::vector<Index> of_triangle;  // component of each kept triangle, else `none`
+  std::vector<Index> of_triangle;        // component of each kept triangle, else `none`
   std::vector<std::uint8_t> orientable;  // per component
   Index count() const { return static_cast<Index>(orientable.size()); }
 };
 
-// Numbers the components of the kept triangles (two that share an edge are in one) in the order of their first
-// triangles, and turns the triangles of each so that neighbours agree; where that can not be (a Moebius strip)
-// they agree as far as the walk came. The component's mean normal gets a positive z (or y, or x where those
-// before vanish).
+// Numbers the components of the kept triangles (two that share an edge are in one) in the order of their
+// first triangles, and turns the triangles of each so that neighbours agree; where that can not be (a Moebius
+// strip) they agree as far as the walk came. The component's mean normal gets a positive z (or y, or x where
+// those before vanish).
 Sheets orient_sheets(Complex& complex, const Kept& kept);
 
 }  // namespace rimline::exact

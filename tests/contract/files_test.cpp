@@ -462,6 +462,7 @@ TEST_CASE("info counts points, properties, duplicates and rows that are not fini
         info.out.substr(at + 1 + label.size(), info.out.find('\n', at + 1) - at - 1 - label.size());
     return text.substr(text.find_first_not_of(' '));
   };
+  CHECK(line("format") == "PLY, binary little-endian");
   CHECK(line("points") == "902");
   CHECK(line("duplicates") == "1");
   CHECK(line("not finite") == "1");

@@ -19,7 +19,9 @@ bool contains(const std::string& text, const std::string& part) {
 
 std::string sample(const Folder& folder, const std::string& shape, const std::string& n) {
   const std::string path = folder / "sample.ply";
-  REQUIRE(rimline::test::rimline({"sample", shape, "-n", n, "-o", path, "--quiet"}).status == 0);
+  const Finished done =
+      rimline::test::rimline({"sample", shape, "-n", n, "--sampling", "random", "-o", path, "--quiet"});
+  REQUIRE(done.status == 0);
   return path;
 }
 
@@ -93,8 +95,9 @@ TEST_CASE("status 3: points that no chain of neighbours joins to the loop are co
   const Folder folder;
   write_file(folder / "two.xyz", grid(12, 0) + grid(12, 1000));
   write_file(folder / "loops.json", rim_of_grid(12));
-  const Finished refused = rimline::test::rimline(
-      {"reconstruct", folder / "two.xyz", "-o", folder / "mesh.ply", "--use-loops", folder / "loops.json"});
+  const Finished refused =
+      rimline::test::rimline({"reconstruct", folder / "two.xyz", "-o", folder / "mesh.ply", "--preset",
+                              "paper", "--use-loops", folder / "loops.json"});
   CAPTURE(refused.err);
   CHECK(refused.status == 3);
   CHECK(contains(refused.err, "(144 points: 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, ...)"));

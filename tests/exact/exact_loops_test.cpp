@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/exact_loops.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "random.h"
+#include "rimline/arrange.h"
+#include "rimline/sample.h"
+
+using namespace rimline;
+
+namespace {
+
+struct Found {
+  BoundarySurvey survey;
+  std::vector<std::vector<Index>> loops;  // in ids of the input
+};
+
+Found find_loops(Points input, const ExactLoopOptions& options = {}, const Run& run = {}) {
+  const Arrangement arranged = arrange(input, run);
+  const Neighbours neighbours = find_neighbours(arranged.points, 40, run);
+  const BoundaryScores scores = score_boundary(arranged.points, neighbours, {}, run);
+  Found found{find_exact_loops(arranged.points, neighbours, scores, options, 0.9, run), {}};
+  for (const Loop& loop : found.survey.loops) {
+    std::vector<Index> ids;
+    for (const Index id : loop.points) ids.push_back(arranged.ids[id]);
+    found.loops.push_back(std::move(ids));
+  }
+  return found;
+}
+
+using Edges = std::set<std::pair<Index, Index>>;
+
+Edges edges(const std::vector<Index>& loop) {
+  Edges result;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    result.insert(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
+  }
+  return result;
+}
+
+std::set<Edges> edge_sets(const std::vector<std::vector<Index>>& loops) {
+  std::set<Edges> result;
+  for (const auto& loop : loops) result.insert(edges(loop));
+  return result;
+}
+
+std::set<Edges> edge_sets(const std::vector<Loop>& loops) {
+  std::set<Edges> result;
+  for (const Loop& loop : loops) result.insert(edges(loop.points));
+  return result;
+}
+
+Sample make(Shape shape, Sampling sampling, std::size_t n, double noise = 0, std::uint64_t seed = 1) {
+  SampleOptions options;
+  options.shape = shape;
+  options.sampling = sampling;
+  options.n = n;
+  options.noise = noise;
+  Run run;
+  run.seed = seed;
+  return sample(options, run);
+}
+
+// A square lattice of unit step in the plane z = 0.
+std::vector<Point> lattice(int columns, int rows, Point corner = {}) {
+  std::vector<Point> points;
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) points.push_back(corner + Point{double(x), double(y), 0});
+  }
+  return points;
+}
+
+double signed_area(Points points, const std::vector<Index>& loop) {
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point &p = points[loop[i]], &q = points[loop[(i + 1) % loop.size()]];
+    sum += p.x * q.y - p.y * q.x;
+  }
+  return sum / 2;
+}
+
+}  // namespace
+
+TEST_CASE("the loop of a lattice is its outline, counter-clockwise") {
+  const auto points = lattice(20, 12);
+  const Found found = find_loops(points);
+  REQUIRE(found.loops.size() == 1);
+  CHECK(found.loops[0].size() == 2 * (20 + 12) - 4);
+  CHECK(signed_area(points, found.loops[0]) == doctest::Approx(19 * 11));
+  CHECK(found.survey.loops[0].kind == LoopKind::Outer);
+  CHECK(found.survey.loops[0].length == doctest::Approx(2 * (19 + 11)));
+  REQUIRE(found.survey.components.size() == 1);
+  CHECK(found.survey.components[0].euler == 1);
+  CHECK(found.survey.components[0].orientable);
+}
+
+TEST_CASE("holes are found, run clockwise and come after the outer loop") {
+  auto points = lattice(30, 30);
+  std::erase_if(points, [](Point p) {
+    return std::hypot(p.x - 8, p.y - 8) < 3.2 || std::hypot(p.x - 20, p.y - 18) < 5.2;
+  });
+  const Found found = find_loops(points);
+  REQUIRE(found.loops.size() == 3);
+  CHECK(found.survey.loops[0].kind == LoopKind::Outer);
+  CHECK(found.survey.loops[1].kind == LoopKind::Hole);
+  CHECK(found.survey.loops[2].kind == LoopKind::Hole);
+  CHECK(signed_area(points, found.loops[0]) > 0);
+  CHECK(signed_area(points, found.loops[1]) < 0);
+  CHECK(signed_area(points, found.loops[2]) < 0);
+  CHECK(found.survey.loops[1].length > found.survey.loops[2].length);
+  CHECK(found.survey.components[0].euler == -1);
+
+  ExactLoopOptions outer;
+  outer.loop_policy = LoopPolicy::Outer;
+  const Found one = find_loops(points, outer);
+  REQUIRE(one.loops.size() == 1);
+  CHECK(one.loops[0] == found.loops[0]);
+}
+
+TEST_CASE("each component has its own outer loop, and the largest can be asked for") {
+  auto points = lattice(12, 12);
+  const auto other = lattice(15, 15, {40, 0, 0});
+  points.insert(points.end(), other.begin(), other.end());
+  const Found found = find_loops(points);
+  REQUIRE(found.loops.size() == 2);
+  CHECK(found.survey.loops[0].component != found.survey.loops[1].component);
+  for (const Loop& loop : found.survey.loops) CHECK(loop.kind == LoopKind::Outer);
+
+  ExactLoopOptions largest;
+  largest.loop_policy = LoopPolicy::Largest;
+  const Found one = find_loops(points, largest);
+  REQUIRE(one.loops.size() == 1);
+  CHECK(one.loops[0].size() == 4 * 14);
+}
+
+TEST_CASE("a closed sphere has no loop") {
+  const Found found = find_loops(make(Shape::ClosedSphere, Sampling::BlueNoise, 3000).points);
+  CHECK(found.loops.empty());
+  REQUIRE(found.survey.components.size() == 1);
+  CHECK(found.survey.components[0].euler == 2);
+}
+
+TEST_CASE("a handle and a one-sided surface are told by the components") {
+  const Found torus = find_loops(make(Shape::TorusMinusCap, Sampling::BlueNoise, 4000).points);
+  REQUIRE(torus.survey.components.size() == 1);
+  CHECK(torus.survey.components[0].euler == -1);
+  CHECK(torus.survey.components[0].orientable);
+  const Found moebius = find_loops(make(Shape::MoebiusStrip, Sampling::BlueNoise, 3000).points);
+  REQUIRE(moebius.survey.components.size() == 1);
+  CHECK(moebius.survey.components[0].euler == 0);
+  CHECK_FALSE(moebius.survey.components[0].orientable);
+  CHECK(moebius.loops.size() == 1);
+}
+
+TEST_CASE("evenly sampled shapes give their exact loops") {
+  for (const Shape shape : {Shape::FlatDisc, Shape::WavySaddle, Shape::HemisphereCap, Shape::Pipe}) {
+    CAPTURE(name(shape));
+    const Sample truth = make(shape, Sampling::BlueNoise, 3000);
+    CHECK(edge_sets(find_loops(truth.points).loops) == edge_sets(truth.loops));
+  }
+}
+
+TEST_CASE("the search makes right a loop at a density step that sizes alone get wrong") {
+  const Sample truth = make(Shape::FlatDisc, Sampling::DensityStep, 3000);
+  ExactLoopOptions off;
+  off.rim_generations = 0;
+  CHECK(edge_sets(find_loops(truth.points, off).loops) != edge_sets(truth.loops));
+  CHECK(edge_sets(find_loops(truth.points).loops) == edge_sets(truth.loops));
+}
+
+TEST_CASE("permuting the input permutes the ids and nothing else") {
+  const Sample truth = make(Shape::BumpySquare, Sampling::Random, 2000);
+  std::vector<Index> order(truth.points.size());
+  std::iota(order.begin(), order.end(), 0);
+  Random random(7);
+  random.shuffle(order);
+  std::vector<Point> shuffled;
+  for (const Index id : order) shuffled.push_back(truth.points[id]);
+  const Found a = find_loops(truth.points);
+  Found b = find_loops(shuffled);
+  for (auto& loop : b.loops) {
+    for (Index& id : loop) id = order[id];
+  }
+  CHECK(a.loops == b.loops);
+}
+
+TEST_CASE("loops are simple, and the number of threads changes nothing") {
+  const Sample truth = make(Shape::SquareWithHoles, Sampling::Random, 3000, 0.2);
+  Run one, two;
+  one.threads = 1;
+  two.threads = 2;
+  const Found a = find_loops(truth.points, {}, one), b = find_loops(truth.points, {}, two);
+  CHECK(a.loops == b.loops);
+  CHECK(a.survey.probability == b.survey.probability);
+  for (const auto& loop : a.loops) CHECK(std::set(loop.begin(), loop.end()).size() == loop.size());
+}
+
+TEST_CASE("the surface is on the left of its loops") {
+  const Sample truth = make(Shape::HemisphereCap, Sampling::BlueNoise, 2000);
+  const Found found = find_loops(truth.points);
+  std::set<std::pair<Index, Index>> directed;
+  for (const Triangle& t : found.survey.triangles) {
+    for (int i = 0; i < 3; ++i) directed.insert({t[i], t[(i + 1) % 3]});
+  }
+  for (const Loop& loop : found.survey.loops) {
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      CHECK(directed.count({loop.points[i], loop.points[(i + 1) % loop.points.size()]}) == 1);
+    }
+  }
+}
+
+TEST_CASE("probabilities are probabilities, and labels follow the loops") {
+  const Sample truth = make(Shape::HalfTunnel, Sampling::Random, 2000);
+  const BoundarySurvey survey = find_loops(truth.points).survey;
+  std::set<Index> on_loop;
+  for (const Loop& loop : survey.loops) on_loop.insert(loop.points.begin(), loop.points.end());
+  for (Index i = 0; i < Index(truth.points.size()); ++i) {
+    CHECK(survey.probability[i] >= 0);
+    CHECK(survey.probability[i] <= 1);
+    CHECK((survey.label[i] == PointLabel::Boundary) == (on_loop.count(i) == 1));
+  }
+}
+
+TEST_CASE("options out of range and too few points are refused") {
+  const auto points = lattice(5, 5);
+  ExactLoopOptions bad;
+  bad.min_loop = 2;
+  CHECK_THROWS_AS(find_loops(points, bad), Error);
+  bad = {};
+  bad.rim_population = 1;
+  CHECK_THROWS_AS(find_loops(points, bad), Error);
+  CHECK_THROWS_AS(find_loops(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), Error);
+}
+
+TEST_CASE("clouds that are no surface give no crash") {
+  Random random(3);
+  std::vector<Point> line, ball;
+  for (int i = 0; i < 60; ++i) line.push_back({double(i), 0, 0});
+  for (int i = 0; i < 400; ++i) ball.push_back({random.uniform(), random.uniform(), random.uniform()});
+  CHECK(find_loops(line).loops.empty());
+  find_loops(ball);
+  find_loops(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
+}
+
+TEST_CASE("a run that is told to stop, stops") {
+  const auto points = lattice(30, 30);
+  const std::atomic<bool> stop = true;
+  const Neighbours neighbours = find_neighbours(points, 40, {});
+  const BoundaryScores scores = score_boundary(points, neighbours, {}, {});
+  Run run;
+  run.stop = &stop;
+  CHECK_THROWS_AS(find_exact_loops(points, neighbours, scores, {}, 0.9, run), Error);
+}
