@@ -146,6 +146,8 @@ class Pipeline {
     loops_ = std::move(found.loops);
     probability_ = std::move(found.probability);
     label_ = std::move(found.label);
+    // Triangles that end at other loops than those given would tell the parts wrongly apart.
+    if (given_.loops.empty()) surveyed_ = std::move(found.triangles);
     report_.search.doubtful = found.search.doubtful;
     report_.search.groups = found.search.groups;
     report_.search.greedy_fitness = found.search.greedy;
@@ -239,7 +241,7 @@ class Pipeline {
     refine.residual = options_.map.residual;
     refine.allow_partial = options_.mesh.allow_partial;
     Surface surface = translate_errors(
-        [&] { return refine_surface(arrangement_.points, neighbours_, loops_, refine, run_); });
+        [&] { return refine_surface(arrangement_.points, neighbours_, loops_, surveyed_, refine, run_); });
     uv_ = std::move(surface.uv);
     triangles_ = std::move(surface.triangles);
     patch_ = std::move(surface.patch);
@@ -418,6 +420,7 @@ class Pipeline {
   BoundaryScores scores_;
   std::vector<float> probability_;
   std::vector<PointLabel> label_;
+  std::vector<Triangle> surveyed_;
   std::vector<Loop> loops_;
   std::vector<UV> uv_;
   std::vector<Index> patch_;

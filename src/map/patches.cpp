@@ -107,12 +107,14 @@ void make_local(const Separated& whole, Index point_count, PatchInput& patch) {
 
 }  // namespace
 
-Partition partition(const Stars& stars, const std::vector<Loop>& loops) {
+Partition partition(const Stars& stars, const std::vector<Loop>& loops,
+                    const std::vector<Triangle>& surface) {
   const Index n = static_cast<Index>(stars.offsets.size()) - 1;
   const Separated outline = separate_pinches(loops, n);
   const std::vector<Index> loop_of = loops_of_points(outline, n);
   UnionFind parts(n);
-  join_mutual(stars, loop_of, parts);
+  if (surface.empty()) join_mutual(stars, loop_of, parts);
+  for (const Triangle& t : surface) join_along({{t.begin(), t.end()}, LoopKind::Outer}, loop_of, parts);
   for (const Loop& loop : outline.loops) join_along(loop, loop_of, parts);
   join_one_sided(stars, loop_of, outline.loops, parts);
 

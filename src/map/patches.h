@@ -21,8 +21,8 @@ struct Partition {
   std::vector<Index> left_out;      // points that hang together with no loop, ascending
 };
 
-// Points hang together where each is in the other's cell, but not across a gap between loops, nor in a point
-// where loops touch.
-Partition partition(const Stars& stars, const std::vector<Loop>& loops);
+// Points hang together by the triangles of `surface` where there are any, else where each is in the other's
+// cell, but not across a gap between loops, nor in a point where loops touch.
+Partition partition(const Stars& stars, const std::vector<Loop>& loops, const std::vector<Triangle>& surface);
 
 }  // namespace rimline

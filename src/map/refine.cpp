@@ -20,15 +20,49 @@
 namespace rimline {
 namespace {
 
-// The loop on the unit circle, by chord length (section 5), counter-clockwise.
-void place_on_circle(Points points, const std::vector<Index>& loop, std::vector<UV>& uv) {
+// A loop on a circle, by chord length (section 5): counter-clockwise from `start` for turn = 1, clockwise for
+// turn = -1.
+void place_on_circle(Points points, const std::vector<Index>& loop, UV centre, double radius, double start,
+                     double turn, std::vector<UV>& uv) {
   const std::size_t n = loop.size();
   std::vector<double> along(n + 1, 0);
   for (std::size_t i = 0; i < n; ++i)
     along[i + 1] = along[i] + distance(points[loop[i]], points[loop[(i + 1) % n]]);
   for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * along[i] / along[n];
-    uv[loop[i]] = {std::cos(angle), std::sin(angle)};
+    const double angle = start + turn * 2 * std::numbers::pi * along[i] / along[n];
+    uv[loop[i]] = {centre.u + radius * std::cos(angle), centre.v + radius * std::sin(angle)};
+  }
+}
+
+double distance(UV a, UV b) { return std::hypot(a.u - b.u, a.v - b.v); }
+
+// How deep inside a convex polygon a point lies: the distance to the nearest side's line.
+double depth_inside(UV point, const std::vector<Index>& polygon, const std::vector<UV>& uv) {
+  double depth = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const UV a = uv[polygon[i]], b = uv[polygon[i + 1 < polygon.size() ? i + 1 : 0]];
+    const double area = (b.u - a.u) * (point.v - a.v) - (b.v - a.v) * (point.u - a.u);
+    depth = std::min(depth, area / distance(a, b));
+  }
+  return depth;
+}
+
+// Puts the rims of holes on small circles that can not meet, each about the centre that `uv` gives it and
+// turned as its first point lies.
+void hold_rims_apart(Points points, const std::vector<Loop>& loops, std::vector<UV>& uv) {
+  const std::vector<UV> centres(uv.begin() + static_cast<std::ptrdiff_t>(points.size()), uv.end());
+  for (std::size_t h = 0; h < centres.size(); ++h) {
+    const UV centre = centres[h];
+    double room = depth_inside(centre, loops.front().points, uv) / 2;
+    for (std::size_t g = 0; g < centres.size(); ++g) {
+      if (g != h) room = std::min(room, distance(centre, centres[g]) / 2);
+    }
+    const std::vector<Index>& rim = loops[h + 1].points;
+    double size = 0;
+    for (const Index i : rim) size += distance(uv[i], centre) / static_cast<double>(rim.size());
+    const UV first = uv[rim.front()];
+    const double start = std::atan2(first.v - centre.v, first.u - centre.u);
+    place_on_circle(points, rim, centre, std::min(size, 0.9 * room), start, -1, uv);
   }
 }
 
@@ -53,7 +87,7 @@ class Refiner {
         run_(run),
         spacing_(spacing_with(neighbours, outline.original)),
         uv_(points.size() + outline.loops.size() - 1) {
-    place_on_circle(points, loops_.front().points, uv_);
+    place_on_circle(points, loops_.front().points, {0, 0}, 1, 0, 1, uv_);
   }
 
   Patch refine() {
@@ -63,7 +97,12 @@ class Refiner {
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < options_.rounds; ++round) {
       run_.progress(Stage::Refine, round, options_.rounds);
-      Triangulation mesh = round == 0 ? triangulate_first() : triangulate();
+      Triangulation mesh;
+      if (round == 0) {
+        mesh = triangulate_first();
+      } else if (!try_triangulate(mesh)) {
+        break;  // the rough map before has rims that cross
+      }
       const std::size_t flips = flip_edges(points_, mesh, copies_, run_);
       const EdgeQuality quality = edge_quality(points_, mesh, spacing_);
       patch.rounds.push_back({flips, quality.bad, quality.length});
@@ -104,40 +143,52 @@ class Refiner {
     }
   }
 
-  // The first map knows neighbours only, and rims may cross in it: then once more, the rims stiffer.
+  // The first map knows neighbours only, and rims may cross in it: then once more, the rims held apart.
   Triangulation triangulate_first() {
-    for (const double stiffness : {1.0, 10.0, 100.0}) {
-      map_neighbours(stiffness);
-      try {
-        return triangulate();
-      } catch (const Error& error) {
-        if (error.code() != ErrorCode::NotADisc || stiffness == 100 || loops_.size() == 1) throw;
-      }
-    }
-    return {};
-  }
-
-  // eq. (4) with the local Voronoi cells as neighbourhoods.
-  void map_neighbours(double stiffness) {
     const Index nodes = static_cast<Index>(uv_.size());
     std::vector<char> fixed(nodes, 0);
     for (const Index i : loops_.front().points) fixed[i] = 1;
-    std::vector<WeightedEdge> edges = star_edges(stars_);
-    if (!copies_.empty()) share_with_copies(points_, loops_, copies_, edges);
-    add_wheels(loops_, static_cast<Index>(points_.size()), stiffness, edges);
-    Graph graph = make_graph(nodes, edges);
-    if (!unreachable(graph, fixed).empty()) {
-      join_islands(neighbours_, fixed, edges);
-      graph = make_graph(nodes, edges);
+    const Graph graph = neighbour_graph(fixed);
+    solve_map(graph, fixed, rough, uv_, run_);
+    Triangulation mesh;
+    if (try_triangulate(mesh)) return mesh;
+    hold_rims_apart(points_, loops_, uv_);
+    for (std::size_t h = 1; h < loops_.size(); ++h) {
+      for (const Index i : loops_[h].points) fixed[i] = 1;
     }
     solve_map(graph, fixed, rough, uv_, run_);
+    return triangulate();
+  }
+
+  // eq. (4) with the local Voronoi cells as neighbourhoods.
+  Graph neighbour_graph(const std::vector<char>& fixed) const {
+    const Index nodes = static_cast<Index>(fixed.size());
+    std::vector<WeightedEdge> edges = star_edges(stars_);
+    if (!copies_.empty()) share_with_copies(points_, loops_, copies_, edges);
+    add_wheels(loops_, static_cast<Index>(points_.size()), edges);
+    Graph graph = make_graph(nodes, edges);
+    if (unreachable(graph, fixed).empty()) return graph;
+    join_islands(neighbours_, fixed, edges);
+    return make_graph(nodes, edges);
+  }
+
+  // False where rims cross in uv.
+  bool try_triangulate(Triangulation& mesh) {
+    try {
+      mesh = triangulate();
+      return true;
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::NotADisc) throw;
+      return false;
+    }
   }
 
   Triangulation triangulate() {
     std::vector<Triangle> triangles = constrained_delaunay(std::span(uv_).first(points_.size()), loops_);
     Triangulation mesh = triangulation_of(std::move(triangles), static_cast<Index>(points_.size()));
     const std::vector<Index> missing = insert_missing(points_, neighbours_, mesh);
-    if (!missing.empty()) throw Error(ErrorCode::NotADisc, "points lie apart from the mesh", missing);
+    if (!missing.empty())
+      throw Error(ErrorCode::UnreachableInterior, "points lie apart from the mesh", missing);
     return mesh;
   }
 

@@ -62,11 +62,12 @@ class Row {
 }  // namespace
 
 Surface refine_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
-                       const RefineOptions& options, const Run& run) {
+                       const std::vector<Triangle>& surface_triangles, const RefineOptions& options,
+                       const Run& run) {
   if (loops.empty()) throw Error(ErrorCode::NoClosedLoop, "there is no loop: nothing bounds the surface");
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Stars stars = find_stars(points, neighbours, {}, {}, run);
-  Partition parts = partition(stars, loops);
+  Partition parts = partition(stars, loops, surface_triangles);
   Surface surface;
   surface.uv.assign(points.size(), {nan, nan});
   surface.patch.assign(points.size(), none);

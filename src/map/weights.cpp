@@ -92,16 +92,15 @@ void join_islands(const Neighbours& neighbours, const std::vector<char>& fixed,
   }
 }
 
-void add_wheels(const std::vector<Loop>& loops, Index point_count, double stiffness,
-                std::vector<WeightedEdge>& edges) {
+void add_wheels(const std::vector<Loop>& loops, Index point_count, std::vector<WeightedEdge>& edges) {
   for (std::size_t h = 1; h < loops.size(); ++h) {
     const std::vector<Index>& rim = loops[h].points;
     // Cotangent weights of the wheel over a regular polygon; over fewer than five corners the rim's own
     // would not be positive.
     const double half = std::numbers::pi / static_cast<double>(std::max<std::size_t>(rim.size(), 5));
     for (std::size_t i = 0; i < rim.size(); ++i) {
-      edges.push_back({rim[i], static_cast<Index>(point_count + h - 1), stiffness * std::tan(half)});
-      edges.push_back({rim[i], rim[(i + 1) % rim.size()], stiffness * 0.5 / std::tan(2 * half)});
+      edges.push_back({rim[i], static_cast<Index>(point_count + h - 1), std::tan(half)});
+      edges.push_back({rim[i], rim[(i + 1) % rim.size()], 0.5 / std::tan(2 * half)});
     }
   }
 }

@@ -26,9 +26,8 @@ void join_islands(const Neighbours& neighbours, const std::vector<char>& fixed,
                   std::vector<WeightedEdge>& edges);
 
 // Closes each hole (all loops but the first) for the solve by one more node, joined to the rim as the centre
-// of a regular polygon is to its corners. The nodes follow the points. `stiffness` multiplies these weights.
-void add_wheels(const std::vector<Loop>& loops, Index point_count, double stiffness,
-                std::vector<WeightedEdge>& edges);
+// of a regular polygon is to its corners. The nodes follow the points.
+void add_wheels(const std::vector<Loop>& loops, Index point_count, std::vector<WeightedEdge>& edges);
 
 // Half the cotangents of the angles opposite to each edge, in space: a discrete harmonic map (Pinkall &
 // Polthier 1993). Kept within [least, most], as an embedding needs positive weights (Tutte 1963; Floater
