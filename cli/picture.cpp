@@ -298,6 +298,7 @@ void draw_uv_loops(cairo_t* cairo, const std::vector<Loop>& loops, const std::ve
     bool placed = true;
     for (const Index id : loop.points) placed = placed && is_finite(at[id]);
     if (!placed) continue;  // a hole that the map fills has no outline of its own
+    cairo_new_path(cairo);
     for (const Index id : loop.points) cairo_line_to(cairo, at[id].x, at[id].y);
     cairo_close_path(cairo);
     set_colour(cairo, colour_of(loop.kind));
