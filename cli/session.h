@@ -16,7 +16,6 @@ class Session {
     run_.seed = common.seed;
     run_.threads = common.threads;
     run_.stop = &interrupted;
-
     run_.on_progress = [this](Progress progress) { bar_.show(progress); };
   }
 
