@@ -247,6 +247,8 @@ void analytic_aims(Aims& aims) {
     aims.analytic(sampling, sampled({sampling}, 0), "points_f1", 0.995);
   }
   aims.analytic("random", sampled({"random"}, 0), "points_f1", 0.97);
+  aims.analytic("random, by probability", sampled({"random"}, 0), "probable_points_f1", 0.97);
+  aims.analytic("random, the points of the loops alone", sampled({"random"}, 0), "rim_points_f1", 0.97);
   aims.analytic("blue-noise, noise 0.2", sampled({"blue-noise"}, 0.2), "points_f1", 0.98);
   aims.analytic("blue-noise, noise 0.5", sampled({"blue-noise"}, 0.5), "points_f1", 0.85);
   aims.analytic("blue-noise, noise 0.5", sampled({"blue-noise"}, 0.5), within, 0.97);

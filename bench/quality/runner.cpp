@@ -75,11 +75,20 @@ void report_progress(std::size_t done, std::size_t total, const CaseName& name) 
                done == total ? "\n" : "");
 }
 
+std::vector<Index> probable(const std::vector<float>& probability) {
+  std::vector<Index> ids;
+  for (std::size_t i = 0; i < probability.size(); ++i) {
+    if (probability[i] >= 0.5f) ids.push_back(static_cast<Index>(i));
+  }
+  return ids;
+}
+
 Metrics loops_metrics(const Case& c, const Outcome& outcome) {
   Metrics m = outcome.has_loops ? score_loops(c, outcome.loops) : score_points(c, outcome.boundary);
   if (m.contains("length_over_truth")) m["length_error"] = std::abs(m["length_over_truth"] - 1);
   if (!outcome.probability.empty() && !c.boundary.empty()) {
     m.merge(score_probability(outcome.probability, c.boundary));
+    m["probable_points_f1"] = score_points(c, probable(outcome.probability)).at("points_f1");
   }
   if (!outcome.label.empty()) m.merge(score_labels(c, outcome));
   return m;
