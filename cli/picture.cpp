@@ -265,6 +265,15 @@ void panel_candidates(cairo_t* cairo, const Stage3d& stage, const Raster& screen
   paint(cairo, raster);
 }
 
+void panel_probability(cairo_t* cairo, const Stage3d& stage, const Raster& screen, const Run& run) {
+  Raster raster = screen;
+  const auto& probability = stage.scene.boundary.boundary_probability;
+  draw_points(raster, stage, run, [&](std::size_t i, double nearness) {
+    return mix(mix(grey_far, grey_near, nearness), candidate_colour, probability[i]);
+  });
+  paint(cairo, raster);
+}
+
 void panel_boundary(cairo_t* cairo, const Stage3d& stage, const Raster& screen, const Run& run) {
   Raster raster = screen;
   draw_points(raster, stage, run,
@@ -289,6 +298,7 @@ void draw_uv_loops(cairo_t* cairo, const std::vector<Loop>& loops, const std::ve
     bool placed = true;
     for (const Index id : loop.points) placed = placed && is_finite(at[id]);
     if (!placed) continue;  // a hole that the map fills has no outline of its own
+    cairo_new_path(cairo);
     for (const Index id : loop.points) cairo_line_to(cairo, at[id].x, at[id].y);
     cairo_close_path(cairo);
     set_colour(cairo, colour_of(loop.kind));
@@ -338,9 +348,17 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
   const Scene& scene = stage.scene;
   const Report& report = scene.boundary.report;
   std::vector<Panel> panels = {{"points", plural(report.points.used, "point"),
-                                [&](cairo_t* cairo) { panel_points(cairo, stage, screen, run); }},
-                               {"candidates", plural(report.candidates, "candidate"),
-                                [&](cairo_t* cairo) { panel_candidates(cairo, stage, screen, run); }}};
+                                [&](cairo_t* cairo) { panel_points(cairo, stage, screen, run); }}};
+  const auto& probability = scene.boundary.boundary_probability;
+  if (probability.empty()) {
+    panels.push_back({"candidates", plural(report.candidates, "candidate"),
+                      [&](cairo_t* cairo) { panel_candidates(cairo, stage, screen, run); }});
+  } else {
+    const auto likely =
+        std::count_if(probability.begin(), probability.end(), [](float p) { return p > 0.5F; });
+    panels.push_back({"boundary probability", plural(likely, "point") + " above 0.5",
+                      [&](cairo_t* cairo) { panel_probability(cairo, stage, screen, run); }});
+  }
   std::size_t on_loops = 0;
   for (const Loop& loop : scene.boundary.loops) on_loops += loop.points.size();
   panels.push_back({"boundary",

@@ -46,6 +46,23 @@ std::string mesh_lines(const MeshSummary& mesh) {
   return line("mesh", text);
 }
 
+std::string component_lines(const std::vector<ComponentSummary>& components) {
+  std::size_t meshed = 0, listed = 0;
+  std::string text;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const ComponentSummary& component = components[i];
+    meshed += component.failure.empty();
+    if ((component.failure.empty() && !component.suspect) || listed++ >= most_loops_listed) continue;
+    const std::string what =
+        component.failure.empty()
+            ? fmt::format("suspect: {} edges are overlong or folded", component.bad_edges)
+            : "not meshed: " + component.failure;
+    text += line("", fmt::format("{}: {} points, {}", i, with_commas(component.points), what));
+  }
+  if (components.size() == 1 && text.empty()) return "";
+  return line("components", fmt::format("{}, {} meshed", components.size(), meshed)) + text;
+}
+
 }  // namespace
 
 std::string with_commas(long long number) {
@@ -67,6 +84,7 @@ void print_summary(std::FILE* to, const Report& report, const std::string& files
                                     report.map.residual));
   }
   if (report.has_mesh) text += mesh_lines(report.mesh);
+  if (!report.components.empty()) text += component_lines(report.components);
   for (const std::string& warning : report.warnings) text += line("warning", warning);
   if (!files.empty()) text += line("wrote", files);
   text += line("seconds", fmt::format("{:.2f}", seconds));

@@ -2,6 +2,7 @@
 // From loops to the mesh and its map: parameterize, triangulate, flip in space, map again on the mesh.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -14,7 +15,21 @@
 
 namespace rimline {
 
+// Where a patch is mapped to.
+enum class Domain {
+  Disc,       // the unit disc, the outer loop on the circle by chord length (section 5)
+  Square,     // the unit square; its sides bulge by a thousandth, so that no triangle there is flat
+  Rectangle,  // of width 1, its height from the lengths of the loop's sides; bulging likewise
+  Free,       // least squares conformal with a free outline, at the scale of the surface
+};
+
+// "disc", "square", "rectangle", "free".
+const char* name(Domain domain);
+
 struct RefineOptions {
+  Domain domain = Domain::Disc;
+  std::array<Index, 4> corners{none, none, none, none};  // of square and rectangle, ids of points of the
+                                                         // outer loop; none: found where it turns most
   int rounds = 4;               // most times the patch is triangulated anew from its map [ours]
   double residual = 1e-10;      // of each linear system, relative to its right-hand side
   double suspect_share = 0.05;  // of bad edges, above which a patch is reported as suspect [ours]
@@ -31,12 +46,14 @@ struct RefineRound {
 // A patch: one outer loop, any number of holes, all points inside.
 struct Patch {
   std::vector<Triangle> triangles;  // boundary edges are the loops' edges, all of them and no others
-  std::vector<UV> uv;               // one per point: an embedding of the triangles in the unit disc
+  std::vector<UV> uv;               // one per point: where the domain's map puts it
   std::vector<RefineRound> rounds;
-  MapSummary map;            // the last system
-  std::size_t uv_flips = 0;  // triangles not counter-clockwise in uv: 0 but for maps that double
-                             // precision can not hold
-  std::size_t evened = 0;    // points whose weights were drawn towards equal ones to avoid flips
+  Domain domain = Domain::Disc;  // where uv lies: the disc, scaled to the surface's area, where Domain::Free
+                                 // would have left flips or an outline that crosses itself
+  MapSummary map;                // the last system
+  std::size_t uv_flips = 0;      // triangles not counter-clockwise in uv: 0 but for maps that double
+                                 // precision can not hold
+  std::size_t evened = 0;        // points whose weights were drawn towards equal ones to avoid flips
 };
 
 // Meshes the component that the loops bound: the first is the outer one, the others holes, the surface on
@@ -49,6 +66,7 @@ Patch refine_patch(Points points, const Neighbours& neighbours, const std::vecto
 struct PatchReport {
   std::size_t points = 0, triangles = 0, loops = 0;
   std::vector<RefineRound> rounds;
+  Domain domain = Domain::Disc;
   MapSummary map;
   std::size_t uv_flips = 0, evened = 0;
   double bad_share = 0;  // of the inner edges: longer than 3 spacings or folded beyond 120 degrees

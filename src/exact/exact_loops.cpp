@@ -30,8 +30,9 @@ namespace exact {
 namespace {
 
 constexpr double largest_proposed = 3.0;  // spacings; the rim search takes away what is too much
-constexpr double largest_mended = 1.2;    // spacings; what notches it leaves are filled with at once
-constexpr std::size_t least_sheet = 10;   // triangles; smaller scraps are no surface
+constexpr std::size_t least_gap = 6;  // points of a gap that is told from a boundary; smaller ones say little
+constexpr double largest_mended = 1.0;   // spacings; what notches it leaves are filled with at once
+constexpr std::size_t least_sheet = 10;  // triangles; smaller scraps are no surface
 
 void check(Points points, const ExactLoopOptions& options) {
   if (points.size() < 4) {
@@ -113,7 +114,7 @@ class Survey {
     const Kept all(complex_.size(), 1);
     std::vector<std::uint8_t> barred(points_.size(), 0);
     for (const auto& loop : walk_rims(complex_, all)) {
-      if (rim_probability(loop, all) >= 0.5) continue;
+      if (loop.size() < least_gap || rim_probability(loop, all) >= 0.5) continue;
       for (const Index v : loop) barred[v] = 1;
     }
     return barred;

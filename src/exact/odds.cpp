@@ -43,14 +43,14 @@ double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeight
 
 double loop_probability(std::size_t points, double emptiness, double thickness) {
   const double size = std::log(std::min(24.0, static_cast<double>(points)) / 12);
-  return logistic(-1.5 + 0.8 * size - 10 * thickness + 2.3 * std::min(emptiness, 3.0));
+  return logistic(-2.4 + 0.8 * size - 7 * thickness + 2.4 * std::min(emptiness, 3.0));
 }
 
 double point_probability(double notch, bool on_rim, double chi_square_score, double loop_probability) {
   const double chi = std::log1p(chi_square_score);
-  const double x = on_rim ? 1.0 + 0.5 * std::clamp(notch, -4.0, 6.0) + 0.3 * chi
-                          : -3.5 + 0.5 * std::clamp(notch, -6.0, 4.0) + 0.3 * chi;
-  return logistic(x) * loop_probability;
+  const double p = std::clamp(loop_probability, 0.01, 0.99), rim = std::log(p / (1 - p));
+  return on_rim ? logistic(-2.51 + 0.11 * std::clamp(notch, -4.0, 8.0) + 1.36 * chi + 0.68 * rim)
+                : logistic(-4.16 + 0.40 * std::clamp(notch, -10.0, 4.0) + 1.94 * chi + 0.10 * rim);
 }
 
 double far_from_rims() { return 0.001; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From evidence to probability. All coefficients are here; bench/calibrate fits them to known boundaries.
+// From evidence to probability. All coefficients are here: logistic regressions on the analytic shapes (1,000
+// points, noise 0, 0.2 and 0.5) and on sets of known boundary, each set weighted by the root of its points.
 #pragma once
 
 #include <array>

@@ -10,21 +10,23 @@
 
 namespace rimline::exact {
 
-// Log odds that rims are made of, fitted to known boundaries (bench/calibrate; docs/departures.md). The paper
-// sums scores over a path, eq. (3); here the score of a rim is the sum of what its notches gain by the size
-// of the triangles that are left out, less what its corners cost by their turning.
+// Log odds that rims are made of, started from a logistic regression on the notches of known boundaries and
+// then tuned on what the search finds. The paper sums scores over a path, eq. (3); here the score of a rim is
+// the sum of what its notches gain by the size of the triangles that are left out, less what its corners cost
+// by their turning.
 struct RimWeights {
-  double open = 0.7;       // for each triangle left out ...
-  double size = 2.0;       // ... and per log_ratio of it
-  double own = 0.9;        // ... and per log ratio to the largest median around its corners
+  double open = 1.4;       // for each triangle left out ...
+  double size = 0.7;       // ... and per log_ratio of it
+  double own = 2.4;        // ... and per log ratio to the largest median around its corners
   double slight = 7.4;     // per radian of turning up to 0.3,
   double moderate = -3.0;  // correction per radian up to 0.7,
   double sharp = 1.5;      // and per radian of all turning: a smooth rim is precious, a jagged one is not
-  double contrast = 4;     // per unit that the log ratio of the sizes on both sides of the rim ...
+  double contrast = 7;     // per unit that the log ratio of the sizes on both sides of the rim ...
   double least_contrast = 0.4;  // ... falls short of this
-  double pinch = 3;             // where fans meet in a point
+  double pinch = 2;             // where fans meet in a point
   double birth = 3;             // of a hole apart from all other rims ...
   double birth_spread = 15;     // ... and per unit of the spread of sizes around it
+  double birth_points = 1;      // ... and per e-fold of the points beyond 1,000: chance has more places
   double orphan = 12;           // a point that loses all its triangles
 };
 

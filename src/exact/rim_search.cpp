@@ -143,8 +143,14 @@ using Chromosome = std::vector<std::uint8_t>;
 class GroupSearch {
  public:
   GroupSearch(const Doubt& doubt, const Corners& corners, const Group& bits, const RimWeights& weights,
-              Kept& kept, Random random)
-      : doubt_(doubt), corners_(corners), bits_(bits), weights_(weights), kept_(kept), random_(random) {
+              Kept& kept, double log_points, Random random)
+      : doubt_(doubt),
+        corners_(corners),
+        bits_(bits),
+        weights_(weights),
+        kept_(kept),
+        log_points_(log_points),
+        random_(random) {
     for (std::uint32_t i = 0; i < bits_.size(); ++i) {
       for (const std::uint32_t s : doubt_.slots[bits_[i]]) at_vertex_.push_back({s, i});
     }
@@ -305,7 +311,7 @@ class GroupSearch {
       const std::vector<std::uint32_t> hole = void_at(i, seen, outside, spread);
       if (outside) continue;
       const double gain = flip(hole);
-      if (-gain >= weights_.birth + weights_.birth_spread * spread) {
+      if (-gain >= weights_.birth + weights_.birth_spread * spread + weights_.birth_points * log_points_) {
         flip(hole);
       } else {
         change += gain;
@@ -343,6 +349,7 @@ class GroupSearch {
   const Group& bits_;
   const RimWeights& weights_;
   Kept& kept_;
+  double log_points_;
   Random random_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> at_vertex_;
   std::vector<std::uint32_t> touched_, near_, stamp_;
@@ -362,9 +369,10 @@ RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std:
   result.groups = groups.size();
   result.history_best.assign(options.generations, 0);
   result.history_mean.assign(options.generations, 0);
+  const double log_points = std::max(0.0, std::log(complex.vertices() / 1000.0));
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (g % 256 == 0) run.progress(Stage::Loops, g, groups.size());
-    GroupSearch search(doubt, corners, groups[g], options.weights, result.kept,
+    GroupSearch search(doubt, corners, groups[g], options.weights, result.kept, log_points,
                        Random(run.seed, doubt.triangles[groups[g][0]]));
     search.load(search.by_size(0.8));
     result.greedy += search.fitness_now();

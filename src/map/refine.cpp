@@ -7,7 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "map/domain.h"
 #include "map/embed.h"
+#include "map/free_map.h"
 #include "map/pinches.h"
 #include "map/refine_patch.h"
 #include "map/topology.h"
@@ -92,7 +94,7 @@ class Refiner {
 
   Patch refine() {
     // Bad edges in so small a share do not pay for one more round.
-    const std::size_t tolerated = 3 * points_.size() / 10000;
+    const std::size_t tolerated = 18 * points_.size() / 10000;  // 0.06 % of the edges
     Patch patch;
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < options_.rounds; ++round) {
@@ -117,11 +119,7 @@ class Refiner {
       if (!better || quality.bad <= tolerated || round + 1 == options_.rounds) break;
       embed(points_, mesh_, loops_, rough, 0, uv_, run_);
     }
-    constexpr int repairs = 8;
-    const Embedding embedding = embed(points_, mesh_, loops_, options_.residual, repairs, uv_, run_);
-    patch.map = embedding.map;
-    patch.uv_flips = embedding.flips;
-    patch.evened = embedding.evened;
+    map_to_domain(patch);
     patch.uv.assign(uv_.begin(), uv_.begin() + static_cast<std::ptrdiff_t>(points_.size()));
     patch.triangles = std::move(mesh_.triangles);
     return patch;
@@ -131,6 +129,44 @@ class Refiner {
   static constexpr double rough = 1e-6;  // residual of the maps that only lead to the next mesh
   // A disc drawn over a handle or a one-sided strip has at least one bad edge for each point around it.
   static constexpr std::size_t doubtful = 8;
+
+  // The last map, on the last mesh.
+  void map_to_domain(Patch& patch) {
+    const std::vector<Index>& outer = loops_.front().points;
+    if (options_.domain == Domain::Free) {
+      if (map_freely(false, patch) || (loops_.size() > 1 && map_freely(true, patch))) return;
+    } else if (options_.domain != Domain::Disc) {
+      place_outline(points_, outer, options_.domain, options_.corners, uv_);
+    }
+    map_to_outline(patch);
+    if (options_.domain == Domain::Free) scale_to_area(points_, mesh_, uv_);
+  }
+
+  // The outline as uv_ has it.
+  void map_to_outline(Patch& patch) {
+    constexpr int repairs = 8;
+    const Embedding embedding = embed(points_, mesh_, loops_, options_.residual, repairs, uv_, run_);
+    patch.domain = options_.domain == Domain::Free ? Domain::Disc : options_.domain;
+    patch.map = embedding.map;
+    patch.uv_flips = embedding.flips;
+    patch.evened = embedding.evened;
+  }
+
+  // Holes may turn inside out in a free map; `capped` closes each by a fan about its centre. False, and uv_
+  // as it was, where triangles flip or the outline crosses itself.
+  bool map_freely(bool capped, Patch& patch) {
+    std::vector<Point> points(points_.begin(), points_.end());
+    Triangulation mesh = mesh_;
+    if (capped) add_caps(loops_, points, mesh);
+    std::vector<UV> uv(points.size());
+    patch.map = free_map(points, mesh, loops_.front().points, uv, run_);
+    patch.uv_flips = unflip(mesh_, uv, run_);
+    if (patch.uv_flips > 0 || count_crossings(loops_.front().points, uv) > 0) return false;
+    patch.domain = Domain::Free;
+    uv.resize(uv_.size());
+    uv_ = std::move(uv);
+    return true;
+  }
 
   void check_topology() const {
     constexpr double enough = 0.5;  // of the points, for the verdict to count
@@ -205,6 +241,16 @@ class Refiner {
 };
 
 }  // namespace
+
+const char* name(Domain domain) {
+  switch (domain) {
+    case Domain::Disc: return "disc";
+    case Domain::Square: return "square";
+    case Domain::Rectangle: return "rectangle";
+    case Domain::Free: return "free";
+  }
+  return "";
+}
 
 Patch refine_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                    const RefineOptions& options, const Run& run) {

@@ -20,16 +20,15 @@ Patch refine_alone(Points points, const PatchInput& input, int k, const RefineOp
 }
 
 PatchReport report_on(const PatchInput& input, const Patch& patch, const RefineOptions& options) {
-  PatchReport report{input.points.size(),
-                     patch.triangles.size(),
-                     input.outline.loops.size(),
-                     patch.rounds,
-                     patch.map,
-                     patch.uv_flips,
-                     patch.evened,
-                     0,
-                     false,
-                     {}};
+  PatchReport report;
+  report.points = input.points.size();
+  report.triangles = patch.triangles.size();
+  report.loops = input.outline.loops.size();
+  report.rounds = patch.rounds;
+  report.map = patch.map;
+  report.uv_flips = patch.uv_flips;
+  report.evened = patch.evened;
+  report.domain = patch.domain;
   std::size_t rim = 0, bad = std::numeric_limits<std::size_t>::max();
   for (const Loop& loop : input.outline.loops) rim += loop.points.size();
   for (const RefineRound& round : patch.rounds) bad = std::min(bad, round.bad_edges);
