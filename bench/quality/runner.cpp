@@ -19,12 +19,15 @@
 namespace rimline::bench {
 namespace {
 
-constexpr std::size_t meshed_size = 10'000;  // the analytic cases that are meshed
+// The analytic cases that are meshed: 10,000 points, noise that a mesh is expected to bear.
+bool is_meshed(const Plan& plan, const CaseName& name) {
+  return name.n == 10'000 && (name.noise == 0 || name.noise == 0.2) && name.draw < plan.mesh_draws;
+}
 
 bool wants_mesh(const Plan& plan, const Case& c) {
   if (c.name.group == "data") return c.points.size() <= plan.mesh_points;
   if (c.name.group == "topology") return true;
-  return c.name.n == meshed_size && c.name.draw < plan.mesh_draws;
+  return is_meshed(plan, c.name);
 }
 
 bool takes_part(const Plan& plan, const Method& method, const CaseName& name) {
