@@ -43,8 +43,8 @@ bool answers(const Method& method, bool want_mesh) {
 // A cheap first look, before points are drawn: does anyone answer?
 bool anyone_answers(const Plan& plan, const CaseName& name) {
   return std::any_of(plan.methods.begin(), plan.methods.end(), [&](const Method& m) {
-    return takes_part(plan, m, name) && (m.finds_boundary || name.group != "analytic" ||
-                                         (name.n == meshed_size && name.draw < plan.mesh_draws));
+    return takes_part(plan, m, name) &&
+           (m.finds_boundary || name.group != "analytic" || is_meshed(plan, name));
   });
 }
 
