@@ -6,6 +6,9 @@
 #include <CGAL/Scale_space_reconstruction_3/Weighted_PCA_smoother.h>
 #include <CGAL/Scale_space_surface_reconstruction_3.h>
 
+#include <algorithm>
+#include <set>
+
 #include "peers/cgal.h"
 
 namespace rimline::peers {
@@ -18,9 +21,15 @@ using FrontMesher = CGAL::Scale_space_reconstruction_3::Advancing_front_mesher<K
 
 constexpr int smoothings = 4;
 
+// An open surface comes with each facet twice, once from either side: the first is kept.
 Answer facets_of(const Reconstruction& reconstruction) {
   Answer answer;
+  std::set<std::array<unsigned, 3>> seen;
   for (auto f = reconstruction.facets_begin(); f != reconstruction.facets_end(); ++f) {
+    std::array<unsigned, 3> corners{static_cast<unsigned>((*f)[0]), static_cast<unsigned>((*f)[1]),
+                                    static_cast<unsigned>((*f)[2])};
+    std::sort(corners.begin(), corners.end());
+    if (!seen.insert(corners).second) continue;
     answer.triangles.push_back({static_cast<std::int32_t>((*f)[0]), static_cast<std::int32_t>((*f)[1]),
                                 static_cast<std::int32_t>((*f)[2])});
   }

@@ -35,7 +35,8 @@ void declare(CLI::App& app, Settings& s) {
   app.add_option("--mesh-draws", s.plan.mesh_draws, "seeds a case that are meshed")->capture_default_str();
   app.add_option("--mesh-points", s.plan.mesh_points, "largest data set that is meshed")
       ->capture_default_str();
-  app.add_flag("--quick", s.quick, "one seed, noise 0 and 0.5, 1,000 points, small data sets");
+  app.add_flag("--quick", s.quick,
+               "the default alone, one seed, noise 0 and 0.5, 1,000 points, small data sets");
   app.add_option("--cases", s.cases, "only cases whose name has one of these parts, comma between them");
   app.add_option("--methods", s.methods, "only these methods, comma between them");
   app.add_flag("--no-peers", s.no_peers, "rimline and its presets alone");
@@ -68,6 +69,7 @@ void make_quick(Settings& s) {
   s.analytic.draws = s.plan.other_draws = 1;
   s.analytic.sizes = {1000};
   s.analytic.noises = {0, 0.5};
+  if (s.methods.empty()) s.methods = default_method;
 }
 
 bool is_small(const std::string& data, const CaseName& name) {
@@ -92,7 +94,7 @@ std::vector<CaseName> cases_of(const Settings& s) {
 
 std::vector<Method> methods_of(const Settings& s) {
   std::vector<Method> all = our_methods();
-  for (Method& stage : stage_methods()) all.push_back(std::move(stage));
+  all.push_back(arcs_method());
   if (!s.no_peers) {
     for (Method& peer : peer_methods()) all.push_back(std::move(peer));
   }

@@ -32,10 +32,10 @@ struct Method {
   std::function<Outcome(const Case&, bool want_mesh)> run;
 };
 
-// The library's default and presets.
+// The library's default and presets, and "greedy": the default without its search.
 std::vector<Method> our_methods();
-// The steps of the default: "arcs", "greedy", "exact". docs/quality.md, "What the search adds"
-std::vector<Method> stage_methods();
+// The closed loops among the arcs that local evidence gives.
+Method arcs_method();
 // Those whose program was built.
 std::vector<Method> peer_methods();
 

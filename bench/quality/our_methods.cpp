@@ -8,21 +8,12 @@
 namespace rimline::bench {
 namespace {
 
-template <class Result>
-void take_probability(const Result& found, Outcome& outcome) {
-  if constexpr (requires { found.boundary_probability; }) {
-    outcome.probability.assign(found.boundary_probability.begin(), found.boundary_probability.end());
-  }
-  if constexpr (requires { found.label; }) {
-    for (const auto label : found.label) outcome.label.push_back(static_cast<std::uint8_t>(label));
-  }
-}
-
-void take_boundary(const BoundaryResult& found, Outcome& outcome) {
+void take_boundary(BoundaryResult found, Outcome& outcome) {
   outcome.has_loops = true;
   for (const Loop& loop : found.loops) outcome.loops.push_back(loop.points);
   outcome.boundary = points_of(outcome.loops);
-  take_probability(found, outcome);
+  outcome.probability = std::move(found.boundary_probability);
+  for (const PointLabel label : found.label) outcome.label.push_back(static_cast<std::uint8_t>(label));
 }
 
 Run one_thread() {
@@ -31,15 +22,24 @@ Run one_thread() {
   return run;
 }
 
-// A surface that can not be meshed still has loops.
-void reconstruct_or_find(const Case& c, const Options& options, Outcome& outcome) {
+void take_mesh(ReconstructResult result, Outcome& outcome) {
+  outcome.mesh = std::move(result.triangles);
+  outcome.uv = std::move(result.uv);
+  take_boundary(std::move(result.boundary), outcome);
+}
+
+// Where a component is refused, the others are meshed and the reason is kept; where all are, there are still
+// loops.
+void reconstruct_or_find(const Case& c, Options options, Outcome& outcome) {
   try {
-    ReconstructResult result = reconstruct(c.points, options, one_thread());
-    outcome.mesh = std::move(result.triangles);
-    outcome.uv = std::move(result.uv);
-    take_boundary(result.boundary, outcome);
+    return take_mesh(reconstruct(c.points, options, one_thread()), outcome);
   } catch (const Error& error) {
     outcome.mesh_error = error.what();
+  }
+  try {
+    options.mesh.allow_partial = true;
+    take_mesh(reconstruct(c.points, options, one_thread()), outcome);
+  } catch (const Error&) {
     take_boundary(find_boundary(c.points, options, one_thread()), outcome);
   }
 }
@@ -61,22 +61,37 @@ Outcome run_preset(const Case& c, const Options& options, bool want_mesh) {
   return outcome;
 }
 
-Method method_of(Preset preset) {
+Method method_of(const char* id, std::string title, const Options& options) {
   Method method;
-  method.id = name(preset);
-  method.title = preset == Preset::Default ? "rimline" : std::string("preset ") + name(preset);
+  method.id = id;
+  method.title = std::move(title);
   method.finds_boundary = method.makes_mesh = true;
-  method.is_default = preset == Preset::Default;
-  method.run = [options = preset_options(preset)](const Case& c, bool want_mesh) {
-    return run_preset(c, options, want_mesh);
-  };
+  method.run = [options](const Case& c, bool want_mesh) { return run_preset(c, options, want_mesh); };
+  return method;
+}
+
+Method method_of(Preset preset) {
+  const bool is_default = preset == Preset::Default;
+  Method method = method_of(name(preset), is_default ? "rimline" : std::string("preset ") + name(preset),
+                            preset_options(preset));
+  method.is_default = is_default;
+  return method;
+}
+
+// Each doubtful triangle is decided by its own size.
+Method without_search() {
+  Options options;
+  options.exact.rim_generations = 0;
+  Method method = method_of("greedy", "greedy join", options);
+  method.makes_mesh = false;
   return method;
 }
 
 }  // namespace
 
 std::vector<Method> our_methods() {
-  return {method_of(Preset::Default), method_of(Preset::Paper), method_of(Preset::PaperLog)};
+  return {method_of(Preset::Default), method_of(Preset::Paper), method_of(Preset::PaperLog),
+          without_search()};
 }
 
 }  // namespace rimline::bench

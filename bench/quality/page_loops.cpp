@@ -143,8 +143,8 @@ std::string analytic_loops_section(const Results& results) {
   return "\n## Loops on analytic shapes\n\nThe default:\n\n" + default_table(results, lines) +
          "\nPoints F1 of all methods, those other than the default on the first seeds alone:\n\n" +
          comparison(results, lines, "points_f1") +
-         "\nThe same against the points of the loops alone (of random "
-         "sampling the points within half a spacing of the\nboundary curve count as interior):\n\n" +
+         "\nThe same against the points of the loops alone (else, of random "
+         "sampling the points within half a spacing of the\nboundary curve are true as well):\n\n" +
          comparison(results, lines, "rim_points_f1") + "\nPoints F1 within one spacing:\n\n" +
          comparison(results, lines, "points_f1_within_one_spacing");
 }

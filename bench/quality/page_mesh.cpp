@@ -50,12 +50,14 @@ std::string sound_table(const Results& results) {
   for (const Sampling sampling : all_samplings()) {
     for (const double noise : {0.0, 0.1, 0.2, 0.5}) {
       std::vector<std::string> cells{name(sampling), fmt::format("{}", noise)};
+      bool any = false;
       for (const auto& [id, title] : methods) {
         cells.push_back(sound_cell(choose(meshes_of(results, id, "analytic"), [&](const Row& r) {
           return r.name.sampling == name(sampling) && r.name.noise == noise;
         })));
+        any = any || cells.back() != "-";
       }
-      table.add(std::move(cells));
+      if (any) table.add(std::move(cells));
     }
   }
   return table.markdown();

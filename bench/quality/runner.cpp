@@ -19,12 +19,15 @@
 namespace rimline::bench {
 namespace {
 
-constexpr std::size_t meshed_size = 10'000;  // the analytic cases that are meshed
+// The analytic cases that are meshed: 10,000 points, noise that a mesh is expected to bear.
+bool is_meshed(const Plan& plan, const CaseName& name) {
+  return name.n == 10'000 && (name.noise == 0 || name.noise == 0.2) && name.draw < plan.mesh_draws;
+}
 
 bool wants_mesh(const Plan& plan, const Case& c) {
   if (c.name.group == "data") return c.points.size() <= plan.mesh_points;
   if (c.name.group == "topology") return true;
-  return c.name.n == meshed_size && c.name.draw < plan.mesh_draws;
+  return is_meshed(plan, c.name);
 }
 
 bool takes_part(const Plan& plan, const Method& method, const CaseName& name) {
@@ -40,8 +43,8 @@ bool answers(const Method& method, bool want_mesh) {
 // A cheap first look, before points are drawn: does anyone answer?
 bool anyone_answers(const Plan& plan, const CaseName& name) {
   return std::any_of(plan.methods.begin(), plan.methods.end(), [&](const Method& m) {
-    return takes_part(plan, m, name) && (m.finds_boundary || name.group != "analytic" ||
-                                         (name.n == meshed_size && name.draw < plan.mesh_draws));
+    return takes_part(plan, m, name) &&
+           (m.finds_boundary || name.group != "analytic" || is_meshed(plan, name));
   });
 }
 
@@ -75,11 +78,20 @@ void report_progress(std::size_t done, std::size_t total, const CaseName& name) 
                done == total ? "\n" : "");
 }
 
+std::vector<Index> probable(const std::vector<float>& probability) {
+  std::vector<Index> ids;
+  for (std::size_t i = 0; i < probability.size(); ++i) {
+    if (probability[i] >= 0.5f) ids.push_back(static_cast<Index>(i));
+  }
+  return ids;
+}
+
 Metrics loops_metrics(const Case& c, const Outcome& outcome) {
   Metrics m = outcome.has_loops ? score_loops(c, outcome.loops) : score_points(c, outcome.boundary);
   if (m.contains("length_over_truth")) m["length_error"] = std::abs(m["length_over_truth"] - 1);
   if (!outcome.probability.empty() && !c.boundary.empty()) {
     m.merge(score_probability(outcome.probability, c.boundary));
+    m["probable_points_f1"] = score_points(c, probable(outcome.probability)).at("points_f1");
   }
   if (!outcome.label.empty()) m.merge(score_labels(c, outcome));
   return m;

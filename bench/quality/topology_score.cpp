@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "rimline/exact_loops.h"
 #include "rimline/sample.h"
 
 namespace rimline::bench {
@@ -24,7 +25,7 @@ bool is_labelled(const EdgeSet& loop, const std::vector<std::uint8_t>& label) {
   constexpr double most_of_them = 0.8;
   std::size_t undersampled = 0;  // over both ends of every edge: each point of a simple loop twice
   for (const Edge& e : loop) {
-    for (const Index id : {e.a, e.b}) undersampled += label[id] == static_cast<int>(Label::Undersampled);
+    for (const Index id : {e.a, e.b}) undersampled += label[id] == static_cast<int>(PointLabel::Undersampled);
   }
   return static_cast<double>(undersampled) >= most_of_them * 2 * static_cast<double>(loop.size());
 }

@@ -14,9 +14,6 @@ namespace rimline::bench {
 //   verdict_right accepted and with two boundary loops (pipe), or refused and named (the others)
 Metrics score_verdict(const Case& c, const Outcome& outcome);
 
-// What `label` holds. docs/formats.md
-enum class Label : std::uint8_t { Interior, Boundary, Undersampled, Crease, Stray };
-
 // loops_found_or_labelled: true loops that are covered to 0.9 within one spacing by one returned loop, or
 // have 0.8 of their points labelled undersampled.
 Metrics score_labels(const Case& c, const Outcome& outcome);
