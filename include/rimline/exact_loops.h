@@ -39,7 +39,7 @@ const char* name(LoopPolicy policy);
 struct ExactLoopOptions {
   LoopPolicy loop_policy = LoopPolicy::All;
   int min_loop = 6;              // points of a loop that is returned, at least 3
-  double min_probability = 0.5;  // of a loop that is returned
+  double min_probability = 0.4;  // of a loop that is returned; noise of half a spacing leaves about 0.5
   int population = 12;           // chromosomes per group of doubtful triangles
   int generations = 30;  // at most; 0 switches the search off: each triangle is decided by its own size
   double length_exponent = 0.9;  // of the number of points in eq. (3)
