@@ -27,28 +27,6 @@ enum class PointLabel : std::uint8_t {
 // "interior", "boundary", "undersampled", "crease", "stray".
 const char* name(PointLabel label);
 
-<<<<<<< HEAD
-=======
-// Which of the loops found are returned.
-enum class LoopPolicy {
-  All,
-  Outer,    // the outer loop of each component
-  Largest,  // the outer loop of the component with most points
-};
-
-// "all", "outer", "largest".
-const char* name(LoopPolicy policy);
-
-struct ExactLoopOptions {
-  LoopPolicy loop_policy = LoopPolicy::All;
-  int min_loop = 6;              // points of a loop that is returned, at least 3
-  double min_probability = 0.4;  // of a loop that is returned; noise of half a spacing leaves about 0.5
-  int population = 12;           // chromosomes per group of doubtful triangles
-  int generations = 30;  // at most; 0 switches the search off: each triangle is decided by its own size
-  double length_exponent = 0.9;  // of the number of points in eq. (3)
-};
-
->>>>>>> exact
 // One connected part of the surface.
 struct SurfaceComponent {
   std::size_t points = 0, triangles = 0;

@@ -64,7 +64,7 @@ const char* name(LoopPolicy policy);
 struct ExactLoopOptions {
   LoopPolicy loop_policy = LoopPolicy::All;
   int min_loop = 6;              // points of a loop that is returned, at least 3
-  double min_probability = 0.5;  // of a loop that is returned
+  double min_probability = 0.4;  // of a loop that is returned; noise of half a spacing leaves about 0.5
   int rim_population = 12;       // chromosomes per group of doubtful triangles
   int rim_generations = 30;      // at most; 0 decides each triangle by its own size
 };
