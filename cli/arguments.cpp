@@ -16,6 +16,7 @@ namespace rimline::cli {
 namespace {
 
 constexpr int most_threads = 1024;
+constexpr int least_panel = 100, most_panel = 1240;
 
 template <class T>
 std::string text_of(const T& value) {
@@ -78,6 +79,7 @@ bool holds(const Struct& options, const void* field) {
 std::string group_of(const Options& options, const void* field) {
   if (holds(options.boundary, field)) return "Boundary test (section 2)";
   if (holds(options.loops, field)) return "Loops (section 3)";
+  if (holds(options.exact, field)) return "Exact loops (preset default)";
   if (holds(options.map, field)) return "Map (section 5)";
   return "Mesh (section 5)";
 }
@@ -86,6 +88,15 @@ void add_fields(CLI::App& command, MethodArguments& arguments) {
   Options options = preset_options(Preset::Default);
   visit_fields(options, [&](auto field) {
     using T = std::remove_reference_t<decltype(field.value)>;
+    if constexpr (std::same_as<T, bool>) {
+      command
+          .add_flag_callback(
+              flag_name(field.name),
+              [&arguments, id = std::string(field.name)] { arguments.fields[id] = "on"; },
+              fmt::format("{}. {}", field.help, default_text(field.name)))
+          ->group(group_of(options, &field.value));
+      return;
+    }
     const std::string value = std::is_enum_v<T> ? "NAME" : std::is_integral_v<T> ? "N" : "X";
     const std::string description =
         fmt::format("{}. {} {}", field.help, range_of(field), default_text(field.name));
@@ -189,6 +200,13 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
   command.add_option("--picture", arguments.picture, "Draw what was found, stage by stage")
       ->type_name("OUT.png|svg")
       ->group(files);
+  add_parsed(command, "--picture-size", "N",
+             fmt::format("Width and height of each of its panels in pixels. From {} to {}. Default {}.",
+                         least_panel, most_panel, arguments.picture_size),
+             files, [&](const std::string& text) {
+               arguments.picture_size =
+                   static_cast<int>(parse_whole("--picture-size", text, least_panel, most_panel));
+             });
   add_parsed(command, "--up", "X,Y,Z",
              "The mesh faces this way on average where the points have no normals, and the picture stands "
              "this way. Default 0,0,1.",

@@ -30,6 +30,7 @@ struct MethodArguments {
   std::string output, loops, report, picture;
   std::string use_loops;
   std::optional<Point> up;
+  int picture_size = 620;                     // pixels of each panel
   std::map<std::string, std::string> fields;  // options given as flags: the field's name, its text
 
   // The preset's options, with what was given as flags on top.

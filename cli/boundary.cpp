@@ -19,7 +19,11 @@ void run_boundary(const MethodArguments& arguments) {
     put_boundary_columns(in.cloud, result);
     write_cloud(arguments.output, in.cloud, session.run());
   }
-  finish(arguments, outputs, {.points = in.cloud.points, .boundary = result, .up = arguments.up},
+  finish(arguments, outputs,
+         {.points = in.cloud.points,
+          .boundary = result,
+          .up = arguments.up,
+          .panel_size = arguments.picture_size},
          result.report, session);
 }
 

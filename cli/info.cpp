@@ -64,6 +64,7 @@ void run_info(const InfoArguments& arguments) {
   Session session(arguments.common);
   const Cloud cloud = read_cloud(arguments.input, session.run());
   std::string text = line("file", arguments.input == "-" ? "standard input" : arguments.input);
+  text += line("format", cloud.format);
   text += line("points", with_commas(static_cast<long long>(cloud.points.size())));
   text += property_lines(cloud);
   const bool any_finite = std::any_of(cloud.points.begin(), cloud.points.end(), is_finite);

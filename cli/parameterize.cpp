@@ -19,7 +19,11 @@ void run_parameterize(const MethodArguments& arguments) {
   put_map_columns(in.cloud, result.uv, result.boundary.boundary);
   write_cloud(arguments.output, in.cloud, session.run());
   finish(arguments, outputs,
-         {.points = in.cloud.points, .boundary = result.boundary, .uv = result.uv, .up = arguments.up},
+         {.points = in.cloud.points,
+          .boundary = result.boundary,
+          .uv = result.uv,
+          .up = arguments.up,
+          .panel_size = arguments.picture_size},
          result.boundary.report, session);
 }
 

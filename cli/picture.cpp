@@ -24,11 +24,11 @@
 namespace rimline::cli {
 namespace {
 
-constexpr int panel = 620;                  // width and height of a panel's drawing, in pixels
-constexpr int inset = 24;                   // left free around what is drawn
-constexpr int head = 76;                    // above the drawing, for the title
-constexpr int fine = 2;                     // image pixels per pixel, each way
-constexpr int gap = 20;                     // between panels
+constexpr int panel = 620;  // width and height of a panel's drawing; all lengths are for this size
+constexpr int inset = 24;   // left free around what is drawn
+constexpr int head = 76;    // above the drawing, for the title
+constexpr int fine = 2;     // image pixels per pixel, each way
+constexpr int gap = 20;     // between panels
 constexpr std::size_t most_edges = 40'000;  // more of them would only blacken the map
 
 constexpr Colour ink = {0.13, 0.15, 0.18};
@@ -243,7 +243,7 @@ void draw_edges(cairo_t* cairo, std::span<const Triangle> triangles, const std::
       cairo_line_to(cairo, at[to].x, at[to].y);
     }
   }
-  set_colour(cairo, ink, 0.45);
+  set_colour(cairo, ink, 0.35);
   cairo_set_line_width(cairo, 0.35);
   cairo_stroke(cairo);
 }
@@ -261,6 +261,15 @@ void panel_candidates(cairo_t* cairo, const Stage3d& stage, const Raster& screen
   draw_points(raster, stage, run, [&](std::size_t i, double nearness) {
     if (candidate[i] != 0) return mix(mix(candidate_colour, grey_far, 0.35), candidate_colour, nearness);
     return mix(grey_far, grey_near, nearness);
+  });
+  paint(cairo, raster);
+}
+
+void panel_probability(cairo_t* cairo, const Stage3d& stage, const Raster& screen, const Run& run) {
+  Raster raster = screen;
+  const auto& probability = stage.scene.boundary.boundary_probability;
+  draw_points(raster, stage, run, [&](std::size_t i, double nearness) {
+    return mix(mix(grey_far, grey_near, nearness), candidate_colour, probability[i]);
   });
   paint(cairo, raster);
 }
@@ -289,6 +298,7 @@ void draw_uv_loops(cairo_t* cairo, const std::vector<Loop>& loops, const std::ve
     bool placed = true;
     for (const Index id : loop.points) placed = placed && is_finite(at[id]);
     if (!placed) continue;  // a hole that the map fills has no outline of its own
+    cairo_new_path(cairo);
     for (const Index id : loop.points) cairo_line_to(cairo, at[id].x, at[id].y);
     cairo_close_path(cairo);
     set_colour(cairo, colour_of(loop.kind));
@@ -338,9 +348,17 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
   const Scene& scene = stage.scene;
   const Report& report = scene.boundary.report;
   std::vector<Panel> panels = {{"points", plural(report.points.used, "point"),
-                                [&](cairo_t* cairo) { panel_points(cairo, stage, screen, run); }},
-                               {"candidates", plural(report.candidates, "candidate"),
-                                [&](cairo_t* cairo) { panel_candidates(cairo, stage, screen, run); }}};
+                                [&](cairo_t* cairo) { panel_points(cairo, stage, screen, run); }}};
+  const auto& probability = scene.boundary.boundary_probability;
+  if (probability.empty()) {
+    panels.push_back({"candidates", plural(report.candidates, "candidate"),
+                      [&](cairo_t* cairo) { panel_candidates(cairo, stage, screen, run); }});
+  } else {
+    const auto likely =
+        std::count_if(probability.begin(), probability.end(), [](float p) { return p > 0.5F; });
+    panels.push_back({"boundary probability", plural(likely, "point") + " above 0.5",
+                      [&](cairo_t* cairo) { panel_probability(cairo, stage, screen, run); }});
+  }
   std::size_t on_loops = 0;
   for (const Loop& loop : scene.boundary.loops) on_loops += loop.points.size();
   panels.push_back({"boundary",
@@ -396,12 +414,16 @@ void write_picture(const std::string& path, const Scene& scene, const Run& run) 
   const Raster screen = solid(stage, run);
   const auto panels = panels_of(stage, screen, run);
   const int width = gap + static_cast<int>(panels.size()) * (panel + gap), height = head + panel + gap;
+  const double scale = static_cast<double>(scene.panel_size) / panel;
   const bool svg = ending_of(path) == "svg";
   std::string bytes;
-  const Surface surface(svg ? cairo_svg_surface_create_for_stream(append, &bytes, width, height)
-                            : cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height),
-                        &cairo_surface_destroy);
+  const Surface surface(
+      svg ? cairo_svg_surface_create_for_stream(append, &bytes, scale * width, scale * height)
+          : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(scale * width)),
+                                       static_cast<int>(std::lround(scale * height))),
+      &cairo_surface_destroy);
   const Context cairo(cairo_create(surface.get()), &cairo_destroy);
+  cairo_scale(cairo.get(), scale, scale);
   draw_all(cairo.get(), panels, run);
   cairo_status_t status = cairo_status(cairo.get());
   if (!svg) status = std::max(status, cairo_surface_write_to_png_stream(surface.get(), append, &bytes));

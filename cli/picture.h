@@ -19,6 +19,7 @@ struct Scene {
   std::span<const UV> uv = {};               // empty: no panel for the map
   std::span<const Triangle> triangles = {};  // empty: no panel for the mesh
   std::optional<Point> up = {};
+  int panel_size = 620;  // width and height of each panel's drawing, in pixels
 };
 
 // PNG or SVG by the ending. Points and surfaces are images in both, so that a million points is no trouble;

@@ -11,18 +11,20 @@ namespace {
 
 void run_reconstruct(const MethodArguments& arguments) {
   const auto outputs = outputs_of(arguments, {"--output", arguments.output, {}, true, check_mesh_path});
-  check_outputs(outputs);
+
   Session session(arguments.common);
   Inputs in = read_inputs(arguments, session.run());
   const ReconstructResult result = reconstruct(in.cloud.points, arguments.options(), session.run(), in.given);
   put_map_columns(in.cloud, result.uv, result.boundary.boundary);
+  if (!result.patch.empty()) set_column(in.cloud, make_column("component", result.patch));
   write_mesh(arguments.output, in.cloud, result.triangles, session.run());
   finish(arguments, outputs,
          {.points = in.cloud.points,
           .boundary = result.boundary,
           .uv = result.uv,
           .triangles = result.triangles,
-          .up = arguments.up},
+          .up = arguments.up,
+          .panel_size = arguments.picture_size},
          result.boundary.report, session);
 }
 

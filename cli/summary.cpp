@@ -17,11 +17,12 @@ std::string points_line(const PointCounts& points) {
   if (points.not_finite > 0) text += fmt::format(", {} not finite", with_commas(points.not_finite));
   if (points.duplicates > 0) text += fmt::format(", {} duplicates", with_commas(points.duplicates));
   if (points.stray > 0) text += fmt::format(", {} stray", with_commas(points.stray));
+  if (points.unmeshed > 0) text += fmt::format(", {} in no triangle", with_commas(points.unmeshed));
   return line("points", text);
 }
 
 std::string loop_lines(const std::vector<Loop>& loops) {
-  if (loops.empty()) return line("loops", "none: the surface has no boundary");
+  if (loops.empty()) return line("loops", "none");
   std::string text;
   for (std::size_t i = 0; i < loops.size() && i < most_loops_listed; ++i) {
     text +=
@@ -45,6 +46,23 @@ std::string mesh_lines(const MeshSummary& mesh) {
   return line("mesh", text);
 }
 
+std::string component_lines(const std::vector<ComponentSummary>& components) {
+  std::size_t meshed = 0, listed = 0;
+  std::string text;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const ComponentSummary& component = components[i];
+    meshed += component.failure.empty();
+    if ((component.failure.empty() && !component.suspect) || listed++ >= most_loops_listed) continue;
+    const std::string what =
+        component.failure.empty()
+            ? fmt::format("suspect: {} edges are overlong or folded", component.bad_edges)
+            : "not meshed: " + component.failure;
+    text += line("", fmt::format("{}: {} points, {}", i, with_commas(component.points), what));
+  }
+  if (components.size() == 1 && text.empty()) return "";
+  return line("components", fmt::format("{}, {} meshed", components.size(), meshed)) + text;
+}
+
 }  // namespace
 
 std::string with_commas(long long number) {
@@ -66,6 +84,7 @@ void print_summary(std::FILE* to, const Report& report, const std::string& files
                                     report.map.residual));
   }
   if (report.has_mesh) text += mesh_lines(report.mesh);
+  if (!report.components.empty()) text += component_lines(report.components);
   for (const std::string& warning : report.warnings) text += line("warning", warning);
   if (!files.empty()) text += line("wrote", files);
   text += line("seconds", fmt::format("{:.2f}", seconds));

@@ -91,6 +91,15 @@ View standing(const Principal& principal, Point up, Point front) {
   return look(0.8 * side + 0.45 * cross(up, side) + 0.28 * up, up);
 }
 
+// Away from the opening; along a principal axis where it nearly is.
+Point upright(const Principal& principal, Point open) {
+  const Point up = unit(-1.0 * open);
+  for (const Point axis : principal.axes) {
+    if (std::abs(dot(axis, up)) > 0.9) return dot(axis, up) > 0 ? axis : -1.0 * axis;
+  }
+  return up;
+}
+
 // Down on the flat side, as one looks at a table.
 View lying(const Principal& principal, Point normal) {
   Point back = principal.axes[1];
@@ -107,7 +116,6 @@ View choose_view(Points points, const std::vector<Loop>& loops, Point front, std
   const Principal principal = principal_axes(finite);
   const Point open = opening(points, loops, principal.centre);
   const auto& spread = principal.deviations;
-  const double size = norm({spread[0], spread[1], spread[2]});
   const bool sheet = spread[2] < 0.3 * spread[1];
   Point normal = principal.axes[2];
   if (dot(normal, norm(front) > 0 ? front : Point{0, 0, 1}) < 0) normal = -1.0 * normal;
@@ -118,7 +126,7 @@ View choose_view(Points points, const std::vector<Loop>& loops, Point front, std
     return standing(principal, given, sheet ? normal : outside);
   }
   if (sheet) return lying(principal, normal);
-  if (norm(open) > 0.35 * size) return standing(principal, -1.0 / norm(open) * open, {});
+  if (norm(open) > 0.5 * spread[2]) return standing(principal, upright(principal, open), {});
   return standing(principal, {0, 0, 1}, outside);
 }
 

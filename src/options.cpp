@@ -18,6 +18,15 @@ const char* name(Preset preset) {
 
 const char* name(ScoreForm form) { return form == ScoreForm::Printed ? "printed" : "log"; }
 
+const char* name(LoopPolicy policy) {
+  switch (policy) {
+    case LoopPolicy::All: return "all";
+    case LoopPolicy::Outer: return "outer";
+    case LoopPolicy::Largest: return "largest";
+  }
+  return "?";
+}
+
 Options preset_options(Preset preset) {
   Options options;
   options.preset = preset;

@@ -31,16 +31,25 @@ Json loops_json(const std::vector<Loop>& loops) {
                     {"kind", name(loops[i].kind)},
                     {"points", loops[i].points.size()},
                     {"length", loops[i].length},
-                    {"fitness", loops[i].fitness}});
+                    {"fitness", loops[i].fitness},
+                    {"component", loops[i].component},
+                    {"probability", loops[i].probability}});
   }
   return json;
 }
 
-Json search_json(const SearchSummary& search) {
+Json search_json(const Options& options, const SearchSummary& search) {
   Json best = Json::array(), mean = Json::array();
   for (const Generation& g : search.history) {
     best.push_back(g.best);
     mean.push_back(g.mean);
+  }
+  if (options.preset == Preset::Default) {
+    return {{"doubtful_triangles", search.doubtful},
+            {"groups", search.groups},
+            {"greedy_fitness", search.greedy_fitness},
+            {"best_fitness", best},
+            {"mean_fitness", mean}};
   }
   return {{"starts", search.starts},
           {"closed_paths", search.closed_paths},
@@ -70,6 +79,20 @@ Json mesh_json(const MeshSummary& mesh) {
           {"mean_angle_distortion", mesh.mean_angle_distortion}};
 }
 
+Json components_json(const std::vector<ComponentSummary>& components) {
+  Json json = Json::array();
+  for (const ComponentSummary& c : components) {
+    Json one = {{"points", c.points},
+                {"triangles", c.triangles},
+                {"loops", c.loops},
+                {"bad_edges", c.bad_edges},
+                {"suspect", c.suspect}};
+    if (!c.failure.empty()) one["failure"] = c.failure;
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
 Json run_json(const Report& report) {
   Json stages = Json::array();
   double seconds = 0;
@@ -91,11 +114,9 @@ std::string to_json(const Report& report) {
   json["version"] = version;
   json["options"] = options_json(report.options);
   json["seed"] = report.seed;
-  json["points"] = {{"input", report.points.input},
-                    {"used", report.points.used},
-                    {"not_finite", report.points.not_finite},
-                    {"duplicates", report.points.duplicates},
-                    {"stray", report.points.stray}};
+  json["points"] = {{"input", report.points.input},           {"used", report.points.used},
+                    {"not_finite", report.points.not_finite}, {"duplicates", report.points.duplicates},
+                    {"stray", report.points.stray},           {"unmeshed", report.points.unmeshed}};
   json["spacing"] = {{"mean", report.spacing.mean},
                      {"least", report.spacing.least},
                      {"quantile_05", report.spacing.low},
@@ -108,13 +129,14 @@ std::string to_json(const Report& report) {
   json["candidates"] = report.candidates;
   json["undersampled"] = report.undersampled;
   json["loops"] = loops_json(report.loops);
-  json["search"] = search_json(report.search);
+  json["search"] = search_json(report.options, report.search);
   if (report.has_map) {
     json["map"] = {{"unknowns", report.map.unknowns},
                    {"iterations", report.map.iterations},
                    {"residual", report.map.residual}};
   }
   if (report.has_mesh) json["mesh"] = mesh_json(report.mesh);
+  if (!report.components.empty()) json["components"] = components_json(report.components);
   json["warnings"] = report.warnings;
   json["run"] = run_json(report);
   return json.dump(1) + "\n";

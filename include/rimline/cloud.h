@@ -37,6 +37,7 @@ struct Cloud {
   std::vector<Point> points;
   Scalar coordinate_type = Scalar::Float64;  // Float32 where the file stores floats: written back as such
   std::vector<Column> columns;               // all other properties, in the order of the file
+  std::string format = {};                   // what the file was, for people: "PLY, ascii"; may be empty
 
   // The column of that name, or nullptr.
   const Column* find(std::string_view name) const;

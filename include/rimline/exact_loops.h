@@ -8,6 +8,7 @@
 #include "rimline/boundary.h"
 #include "rimline/mesh.h"
 #include "rimline/neighbours.h"
+#include "rimline/options.h"
 #include "rimline/points.h"
 #include "rimline/report.h"
 #include "rimline/run.h"
@@ -25,25 +26,6 @@ enum class PointLabel : std::uint8_t {
 
 // "interior", "boundary", "undersampled", "crease", "stray".
 const char* name(PointLabel label);
-
-// Which of the loops found are returned.
-enum class LoopPolicy {
-  All,
-  Outer,    // the outer loop of each component
-  Largest,  // the outer loop of the component with most points
-};
-
-// "all", "outer", "largest".
-const char* name(LoopPolicy policy);
-
-struct ExactLoopOptions {
-  LoopPolicy loop_policy = LoopPolicy::All;
-  int min_loop = 6;              // points of a loop that is returned, at least 3
-  double min_probability = 0.4;  // of a loop that is returned; noise of half a spacing leaves about 0.5
-  int population = 12;           // chromosomes per group of doubtful triangles
-  int generations = 30;  // at most; 0 switches the search off: each triangle is decided by its own size
-  double length_exponent = 0.9;  // of the number of points in eq. (3)
-};
 
 // One connected part of the surface.
 struct SurfaceComponent {
@@ -73,7 +55,8 @@ struct BoundarySurvey {
 // Finds the loops of any number of open surfaces; none where all are closed. Requires finite and distinct
 // points and lists of at least 16 neighbours (40 where the density changes sharply), or of all where there
 // are fewer. The result depends on run.seed. Throws TooFewPoints for fewer than 4 points and BadOption.
+// Loop::fitness is eq. (3) on the log score -log(1 - probability), with `length_exponent` as its exponent.
 BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
-                                const ExactLoopOptions& options, const Run& run);
+                                const ExactLoopOptions& options, double length_exponent, const Run& run);
 
 }  // namespace rimline

@@ -22,8 +22,8 @@ const char* name(LoopKind kind);
 struct Loop {
   std::vector<Index> points;
   LoopKind kind = LoopKind::Outer;
-  double length = 0;   // of the closed polyline, in the unit of the input
-  double fitness = 0;  // eq. (3), on the score that the preset uses
+  double length = 0;       // of the closed polyline, in the unit of the input
+  double fitness = 0;      // eq. (3), on the score that the preset uses
   Index component = 0;     // connected component of the surface it bounds, from 0
   double probability = 1;  // that it is a boundary of the surface, in [0, 1]; 1 where the method gives none
 };

@@ -49,6 +49,27 @@ struct LoopOptions {
   std::int64_t max_path_steps = 2'000'000'000;  // bound on neighbours looked at in Algorithm 3.1  [ours]
 };
 
+// Which of the loops found are returned.
+enum class LoopPolicy {
+  All,
+  Outer,    // the outer loop of each component
+  Largest,  // the outer loop of the component with most points
+};
+
+// "all", "outer", "largest".
+const char* name(LoopPolicy policy);
+
+// Every boundary, exact and in order: what the preset `default` has in place of sections 3.2 to 3.4.
+// [ours, docs/departures.md]
+struct ExactLoopOptions {
+  LoopPolicy loop_policy = LoopPolicy::All;
+  int min_loop = 6;  // points of a loop that is returned, at least 3
+  double min_probability =
+      0.4;  // of a loop that is returned; under noise of half a spacing true loops have about 0.5
+  int rim_population = 12;   // chromosomes per group of doubtful triangles
+  int rim_generations = 30;  // at most; 0 decides each triangle by its own size
+};
+
 // Section 5: from the loop to the plane.
 struct ParameterizeOptions {
   int map_k = 20;           // neighbours per interior point in eq. (4)  [ours; the paper gives none]
@@ -57,13 +78,16 @@ struct ParameterizeOptions {
 
 // Section 5: from the plane to the mesh.
 struct MeshOptions {
-  Point up = {0, 0, 1};  // the mesh faces this way on average, where the input has no normals
+  Point up = {0, 0, 1};        // the mesh faces this way on average, where the input has no normals
+  int refine_rounds = 4;       // most times the mesh is triangulated anew from its map [ours]
+  bool allow_partial = false;  // mesh the other components where one can not be meshed [ours]
 };
 
 struct Options {
   Preset preset = Preset::Default;
   BoundaryOptions boundary;
   LoopOptions loops;
+  ExactLoopOptions exact;
   ParameterizeOptions map;
   MeshOptions mesh;
 };
@@ -84,8 +108,8 @@ struct Field {
   const char* help;                    // one line: what it is, its unit, its source
 };
 
-// Calls visit(Field<T>) for each numeric field, T being int, std::int64_t or double, and
-// visit(Field<ScoreForm>) for the score's form. Names are unique over all structs.
+// Calls visit(Field<T>) for each field but `up`, T being int, std::int64_t, double, bool or an enumeration
+// with a name() (Field::least and most are equal there). Names are unique over all structs.
 template <class AnyOptions, class Visit>
 void visit_fields(AnyOptions& o, Visit&& visit) {
   constexpr double tiny = 1e-300;
@@ -107,8 +131,21 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
   field("generations", o.loops.generations, 0, 1'000'000, "K of Algorithm 3.2 (section 4)");
   field("mutation_probability", o.loops.mutation_probability, 0.0, 1.0, "per bit (section 3.1: low)");
   field("max_path_steps", o.loops.max_path_steps, 1, huge, "bound on the work of Algorithm 3.1 [ours]");
+  field(
+      "loop_policy", o.exact.loop_policy, LoopPolicy::All, LoopPolicy::All,
+      "the loops that are returned: all, the outer one of each component, or the largest component's [ours]");
+  field("min_loop", o.exact.min_loop, 3, 1'000'000'000, "least points of a returned loop [ours]");
+  field("min_probability", o.exact.min_probability, 0.0, 1.0, "least probability of a returned loop [ours]");
+  field("rim_population", o.exact.rim_population, 2, 100'000,
+        "chromosomes per group of doubtful triangles [ours]");
+  field("rim_generations", o.exact.rim_generations, 0, 1'000'000,
+        "most generations of a group; 0 decides each triangle by its own size [ours]");
   field("map_k", o.map.map_k, 3, 1000, "neighbours per interior point in eq. (4) [ours]");
   field("residual", o.map.residual, 1e-15, 1e-2, "relative residual of the solve of eq. (4)");
+  field("refine_rounds", o.mesh.refine_rounds, 1, 100,
+        "most times the mesh is triangulated anew from its map [ours]");
+  field("allow_partial", o.mesh.allow_partial, false, false,
+        "mesh the other components where one can not be meshed [ours]");
 }
 
 }  // namespace rimline

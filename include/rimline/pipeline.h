@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rimline/exact_loops.h"
 #include "rimline/mesh.h"
 #include "rimline/options.h"
 #include "rimline/points.h"
@@ -21,6 +22,9 @@ struct BoundaryResult {
   std::vector<std::uint8_t> candidate;  // 1 where p <= significance
   std::vector<double> p_value;          // of the chi-square test, eq. (1)
   std::vector<double> score;            // eq. (2) in the score form of the options
+  std::vector<float>
+      boundary_probability;       // that it lies on a boundary, calibrated; empty in the paper's presets
+  std::vector<PointLabel> label;  // what the point is; empty in the paper's presets
   std::vector<Loop> loops;
   Report report;
 };
@@ -32,8 +36,9 @@ struct ParameterizeResult {
 
 struct ReconstructResult {
   BoundaryResult boundary;
-  std::vector<UV> uv;
+  std::vector<UV> uv;  // patches side by side where there are several
   std::vector<Triangle> triangles;
+  std::vector<Index> patch;  // of each point, or `none`; empty in the paper's presets
 };
 
 // What may come with the points; both may be empty.
@@ -42,10 +47,11 @@ struct Given {
   std::vector<Loop> loops;     // a boundary made by hand, used instead of finding one
 };
 
-// Sections 2 and 3. Throws BadOption, TooFewPoints, NoClosedLoop, Cancelled.
+// The loops. Under the preset `default` a closed surface gives none, which is an answer and not an error.
+// Throws BadOption, TooFewPoints, Cancelled, and under the paper's presets NoClosedLoop.
 BoundaryResult find_boundary(Points points, const Options& options, const Run& run, const Given& given = {});
 
-// Sections 2, 3 and 5 without the triangulation. Throws also UnreachableInterior, NoConvergence.
+// The loops and the map. Throws also NoClosedLoop, UnreachableInterior, NotADisc, NoConvergence.
 ParameterizeResult parameterize(Points points, const Options& options, const Run& run,
                                 const Given& given = {});
 

@@ -2,7 +2,9 @@
 // From loops to the mesh and its map: parameterize, triangulate, flip in space, map again on the mesh.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "rimline/mesh.h"
@@ -13,9 +15,25 @@
 
 namespace rimline {
 
+// Where a patch is mapped to.
+enum class Domain {
+  Disc,       // the unit disc, the outer loop on the circle by chord length (section 5)
+  Square,     // the unit square; its sides bulge by a thousandth, so that no triangle there is flat
+  Rectangle,  // of width 1, its height from the lengths of the loop's sides; bulging likewise
+  Free,       // least squares conformal with a free outline, at the scale of the surface
+};
+
+// "disc", "square", "rectangle", "free".
+const char* name(Domain domain);
+
 struct RefineOptions {
-  int rounds = 4;           // most times the patch is triangulated anew from its map [ours]
-  double residual = 1e-10;  // of each linear system, relative to its right-hand side
+  Domain domain = Domain::Disc;
+  std::array<Index, 4> corners{none, none, none, none};  // of square and rectangle, ids of points of the
+                                                         // outer loop; none: found where it turns most
+  int rounds = 4;               // most times the patch is triangulated anew from its map [ours]
+  double residual = 1e-10;      // of each linear system, relative to its right-hand side
+  double suspect_share = 0.05;  // of bad edges, above which a patch is reported as suspect [ours]
+  bool allow_partial = false;   // keep the other patches where one can not be meshed
 };
 
 // What one round did.
@@ -28,12 +46,14 @@ struct RefineRound {
 // A patch: one outer loop, any number of holes, all points inside.
 struct Patch {
   std::vector<Triangle> triangles;  // boundary edges are the loops' edges, all of them and no others
-  std::vector<UV> uv;               // one per point: an embedding of the triangles in the unit disc
+  std::vector<UV> uv;               // one per point: where the domain's map puts it
   std::vector<RefineRound> rounds;
-  MapSummary map;            // the last system
-  std::size_t uv_flips = 0;  // triangles not counter-clockwise in uv: 0 but for maps that double
-                             // precision can not hold
-  std::size_t evened = 0;    // points whose weights were drawn towards equal ones to avoid flips
+  Domain domain = Domain::Disc;  // where uv lies: the disc, scaled to the surface's area, where Domain::Free
+                                 // would have left flips or an outline that crosses itself
+  MapSummary map;                // the last system
+  std::size_t uv_flips = 0;      // triangles not counter-clockwise in uv: 0 but for maps that double
+                                 // precision can not hold
+  std::size_t evened = 0;        // points whose weights were drawn towards equal ones to avoid flips
 };
 
 // Meshes the component that the loops bound: the first is the outer one, the others holes, the surface on
@@ -41,5 +61,36 @@ struct Patch {
 // Cancelled.
 Patch refine_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                    const RefineOptions& options, const Run& run);
+
+// One patch of a surface, or why it could not be meshed.
+struct PatchReport {
+  std::size_t points = 0, triangles = 0, loops = 0;
+  std::vector<RefineRound> rounds;
+  Domain domain = Domain::Disc;
+  MapSummary map;
+  std::size_t uv_flips = 0, evened = 0;
+  double bad_share = 0;  // of the inner edges: longer than 3 spacings or folded beyond 120 degrees
+  bool suspect =
+      false;  // bad_share above RefineOptions::suspect_share: it folds over itself, or a loop is wrong
+  std::string failure;  // empty where it was meshed
+};
+
+// Any number of patches, meshed one by one.
+struct Surface {
+  std::vector<Triangle> triangles;  // patch after patch
+  std::vector<UV> uv;               // one per point; NaN for those of no patch. Patches lie side by side
+  std::vector<Index> patch;         // of each point, or `none`; of a point that two patches share, the last
+  std::vector<PatchReport> patches;
+  std::vector<Index> left_out;  // points that hang together with no loop, ascending
+};
+
+// Tells which points and loops belong together and meshes each patch. Where options.allow_partial is set, a
+// patch that fails is reported and the others stay; else it throws as refine_patch does, with the ids of
+// `points`. Throws NoClosedLoop where there are no loops.
+// `surface_triangles` may be empty; triangles that the loops bound (BoundarySurvey::triangles, gaps and all)
+// tell parts that are close to each other apart more surely than the points alone.
+Surface refine_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
+                       const std::vector<Triangle>& surface_triangles, const RefineOptions& options,
+                       const Run& run);
 
 }  // namespace rimline

@@ -21,6 +21,7 @@ struct PointCounts {
   std::size_t not_finite = 0;  // a coordinate is NaN or infinite
   std::size_t duplicates = 0;  // the same coordinates as a point with a lower id
   std::size_t stray = 0;       // in a group of fewer than ten points, apart from all others
+  std::size_t unmeshed = 0;    // used, but in a component that was not meshed
 };
 
 // Distances between neighbours, in the unit of the input: over all used points, of local_spacing().
@@ -52,6 +53,10 @@ struct SearchSummary {
   std::size_t winner_points = 0;   // bits set in the winning chromosome
   std::size_t winner_rank = 0;     // 0: the best chromosome closed; else how many better ones did not
   std::vector<Generation> history;
+  std::size_t doubtful =
+      0;  // preset `default`: triangles that the search decides on, the bits of its chromosomes
+  std::size_t groups = 0;     // of them that do not influence each other
+  double greedy_fitness = 0;  // of deciding each triangle by its own size
 };
 
 // The linear system of eq. (4).
@@ -79,6 +84,14 @@ struct MeshSummary {
   double mean_angle_distortion = 0;  // mean absolute difference of a corner's angle in 3D and in uv, radians
 };
 
+// A component of the surface, as the loops bound it.
+struct ComponentSummary {
+  std::size_t points = 0, triangles = 0, loops = 0;
+  std::size_t bad_edges = 0;  // inner edges longer than 3 spacings or folded beyond 120 degrees
+  bool suspect = false;       // so many of these that it folds over itself, or a loop is wrong
+  std::string failure;        // why it could not be meshed; empty where it was
+};
+
 // What a stage took.
 struct StageCost {
   Stage stage = Stage::Read;
@@ -100,7 +113,8 @@ struct Report {
   MapSummary map;
   bool has_mesh = false;
   MeshSummary mesh;
-  std::vector<std::string> warnings;  // one sentence each, for people
+  std::vector<ComponentSummary> components;  // preset `default`, of the mesh
+  std::vector<std::string> warnings;         // one sentence each, for people
 
   int threads = 0;
   std::vector<StageCost> stages;

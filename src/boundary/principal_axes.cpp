@@ -9,7 +9,7 @@
 namespace rimline {
 namespace {
 
-Point times(const SymmetricMatrix& m, Point p) {
+Point times(const Covariance& m, Point p) {
   return {m.xx * p.x + m.xy * p.y + m.xz * p.z, m.xy * p.x + m.yy * p.y + m.yz * p.z,
           m.xz * p.x + m.yz * p.y + m.zz * p.z};
 }
@@ -23,7 +23,7 @@ double largest_root(double r) {
 }
 
 // The unit vector that a matrix of rank two sends to zero: across its two most independent rows.
-Point null_vector(const SymmetricMatrix& m) {
+Point null_vector(const Covariance& m) {
   const Point a{m.xx, m.xy, m.xz}, b{m.xy, m.yy, m.yz}, c{m.xz, m.yz, m.zz};
   Point best = cross(a, b);
   for (const Point other : {cross(b, c), cross(c, a)}) {
@@ -39,7 +39,7 @@ Point across(Point v) {
 }
 
 // The axes within the plane of the unit vectors p and q, by one rotation: first the larger eigenvalue.
-void plane_axes(const SymmetricMatrix& m, Point& p, Point& q, double& large, double& small) {
+void plane_axes(const Covariance& m, Point& p, Point& q, double& large, double& small) {
   const double pp = dot(p, times(m, p)), pq = dot(p, times(m, q)), qq = dot(q, times(m, q));
   const double half_gap = 0.5 * (pp - qq);
   const double root = std::sqrt(half_gap * half_gap + pq * pq);
@@ -54,12 +54,12 @@ void plane_axes(const SymmetricMatrix& m, Point& p, Point& q, double& large, dou
 
 }  // namespace
 
-PrincipalAxes principal_axes(const SymmetricMatrix& given) {
+PrincipalAxes principal_axes(const Covariance& given) {
   PrincipalAxes axes{{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const double size = std::max({std::abs(given.xx), std::abs(given.xy), std::abs(given.xz),
                                 std::abs(given.yy), std::abs(given.yz), std::abs(given.zz)});
   if (!(size > 0)) return axes;
-  const SymmetricMatrix m{given.xx / size, given.xy / size, given.xz / size,
+  const Covariance m{given.xx / size, given.xy / size, given.xz / size,
                           given.yy / size, given.yz / size, given.zz / size};
   // (m - mean) / scale has trace 0 and eigenvalues in [-2, 2]; r is half its determinant.
   const double mean = (m.xx + m.yy + m.zz) / 3;

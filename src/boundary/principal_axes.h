@@ -6,7 +6,7 @@
 
 namespace rimline {
 
-struct SymmetricMatrix {
+struct Covariance {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 };
 
@@ -19,6 +19,6 @@ struct PrincipalAxes {
 // vector as a cross product, and the other two in the plane across. Errors are those of rounding, relative
 // to the largest eigenvalue, whatever the eigenvalues. Only + - * / and square roots: the same on every
 // machine.  [ours; the order of steps after Eberly, A Robust Eigensolver for 3x3 Symmetric Matrices, 2014]
-PrincipalAxes principal_axes(const SymmetricMatrix& m);
+PrincipalAxes principal_axes(const Covariance& m);
 
 }  // namespace rimline

@@ -26,11 +26,6 @@ const char* name(PointLabel label) {
   return names[static_cast<std::size_t>(label)];
 }
 
-const char* name(LoopPolicy policy) {
-  constexpr std::array names{"all", "outer", "largest"};
-  return names[static_cast<std::size_t>(policy)];
-}
-
 namespace exact {
 namespace {
 
@@ -45,19 +40,20 @@ void check(Points points, const ExactLoopOptions& options) {
                 "loops need at least 4 points, there are " + std::to_string(points.size()));
   }
   if (options.min_loop < 3) throw Error(ErrorCode::BadOption, "min_loop must be at least 3");
-  if (options.population < 2) throw Error(ErrorCode::BadOption, "population must be at least 2");
-  if (options.generations < 0) throw Error(ErrorCode::BadOption, "generations must not be negative");
+  if (options.rim_population < 2) throw Error(ErrorCode::BadOption, "rim_population must be at least 2");
+  if (options.rim_generations < 0) throw Error(ErrorCode::BadOption, "rim_generations must not be negative");
 }
 
 // One survey: the members are what the steps find, in their order.
 class Survey {
  public:
   Survey(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
-         const ExactLoopOptions& options, const Run& run)
+         const ExactLoopOptions& options, double length_exponent, const Run& run)
       : points_(points),
         neighbours_(neighbours),
         scores_(scores),
         options_(options),
+        length_exponent_(length_exponent),
         run_(run),
         spacing_(local_spacing(neighbours)),
         frames_(fit_frames(points, neighbours, run)),
@@ -87,10 +83,10 @@ class Survey {
 
   void search() {
     RimSearchOptions o;
-    o.population = options_.population;
-    o.generations = options_.generations;
+    o.population = options_.rim_population;
+    o.generations = options_.rim_generations;
     RimSearchSummary& summary = result_.search;
-    summary.history.assign(options_.generations, {});
+    summary.history.assign(options_.rim_generations, {});
     for (int round = 0; round < 2; ++round) {
       LocalSizes sizes(complex_, neighbours_);
       RimSearchResult found = search_rim(complex_, sizes, bar_gaps(), o, run_);
@@ -98,7 +94,7 @@ class Survey {
       summary.groups += found.groups;
       summary.greedy += found.greedy;
       summary.best += found.best;
-      for (int i = 0; i < options_.generations; ++i) {
+      for (int i = 0; i < options_.rim_generations; ++i) {
         summary.history[i].best += found.history_best[i];
         summary.history[i].mean += found.history_mean[i];
       }
@@ -267,7 +263,7 @@ class Survey {
       double sum = 0;  // eq. (3), on the log score -log(1 - p)
       for (const Index id : loop.points)
         sum -= std::log1p(-std::min(0.999999, double{result_.probability[id]}));
-      loop.fitness = sum / std::pow(static_cast<double>(loop.points.size()), options_.length_exponent);
+      loop.fitness = sum / std::pow(static_cast<double>(loop.points.size()), length_exponent_);
     }
   }
 
@@ -300,6 +296,7 @@ class Survey {
   const Neighbours& neighbours_;
   const BoundaryScores& scores_;
   const ExactLoopOptions& options_;
+  double length_exponent_;
   const Run& run_;
   std::vector<double> spacing_;
   std::vector<Frame> frames_;
@@ -314,9 +311,9 @@ class Survey {
 }  // namespace exact
 
 BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
-                                const ExactLoopOptions& options, const Run& run) {
+                                const ExactLoopOptions& options, double length_exponent, const Run& run) {
   exact::check(points, options);
-  return exact::Survey(points, neighbours, scores, options, run).find();
+  return exact::Survey(points, neighbours, scores, options, length_exponent, run).find();
 }
 
 }  // namespace rimline

@@ -129,8 +129,9 @@ std::string loops_to_json(const std::vector<Loop>& loops, std::size_t point_coun
       if (j > 0) text += ", ";
       text += std::to_string(loop.points[j]);
     }
-    text +=
-        "], \"length\": " + number_text(loop.length) + ", \"fitness\": " + number_text(loop.fitness) + "}";
+    text += "], \"length\": " + number_text(loop.length) + ", \"fitness\": " + number_text(loop.fitness);
+    text += ", \"component\": " + std::to_string(loop.component);
+    text += ", \"probability\": " + number_text(loop.probability) + "}";
   }
   text += loops.empty() ? "],\n" : "\n ],\n";
   return text + " \"points\": " + std::to_string(point_count) + "}\n";

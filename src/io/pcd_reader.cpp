@@ -239,11 +239,17 @@ Cloud read_pcd(const Source& source, const Run& run) {
   const PcdHeader header = read_header(source);
   const std::uint64_t count = point_count(header, source);
   std::vector<Field> fields = fields_of(header, source);
-  if (header.data == "ascii") return read_ascii(header, std::move(fields), count, source, run);
-  if (header.data == "binary") return read_binary(header, std::move(fields), count, source, run);
-  if (header.data == "binary_compressed")
-    return read_compressed(header, std::move(fields), count, source, run);
-  source.fail("unknown PCD data " + quoted(header.data) + "; known are ascii, binary and binary_compressed");
+  const auto read = [&]() -> Cloud {
+    if (header.data == "ascii") return read_ascii(header, std::move(fields), count, source, run);
+    if (header.data == "binary") return read_binary(header, std::move(fields), count, source, run);
+    if (header.data == "binary_compressed")
+      return read_compressed(header, std::move(fields), count, source, run);
+    source.fail("unknown PCD data " + quoted(header.data) +
+                "; known are ascii, binary and binary_compressed");
+  };
+  Cloud cloud = read();
+  cloud.format = "PCD, " + std::string(header.data);
+  return cloud;
 }
 
 }  // namespace rimline::io

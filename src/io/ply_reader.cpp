@@ -183,16 +183,31 @@ Cloud read_ascii(const PlyHeader& header, std::size_t points, const Source& sour
   return read_ascii_points(lines, header.elements[points], source, run);
 }
 
+const char* name(Format format) {
+  switch (format) {
+    case Format::Ascii: return "PLY, ascii";
+    case Format::BinaryLittle: return "PLY, binary little-endian";
+    case Format::BinaryBig: return "PLY, binary big-endian";
+  }
+  return "PLY";
+}
+
+Cloud read_binary(const PlyHeader& header, std::size_t points, const Source& source, const Run& run) {
+  const bool swap = (header.format == Format::BinaryBig) != (std::endian::native == std::endian::big);
+  const char* at = header.body;
+  for (std::size_t e = 0; e < points; ++e) at = skip_binary(at, header.elements[e], swap, source, run);
+  return read_binary_points(at, header.elements[points], swap, source, run);
+}
+
 }  // namespace
 
 Cloud read_ply(const Source& source, const Run& run) {
   const PlyHeader header = read_ply_header(source);
   const std::size_t points = find_points(header, source);
-  if (header.format == Format::Ascii) return read_ascii(header, points, source, run);
-  const bool swap = (header.format == Format::BinaryBig) != (std::endian::native == std::endian::big);
-  const char* at = header.body;
-  for (std::size_t e = 0; e < points; ++e) at = skip_binary(at, header.elements[e], swap, source, run);
-  return read_binary_points(at, header.elements[points], swap, source, run);
+  Cloud cloud = header.format == Format::Ascii ? read_ascii(header, points, source, run)
+                                               : read_binary(header, points, source, run);
+  cloud.format = name(header.format);
+  return cloud;
 }
 
 }  // namespace rimline::io

@@ -99,6 +99,19 @@ Format format_by_ending(const Source& source) {
   source.fail("is in no format that is known; known are PLY, XYZ/TXT/CSV, OBJ, OFF, PCD and STL");
 }
 
+const char* name(Format format) {
+  switch (format) {
+    case Format::Ply: return "PLY";
+    case Format::Text: return "text";
+    case Format::Obj: return "OBJ";
+    case Format::Off: return "OFF";
+    case Format::Pcd: return "PCD";
+    case Format::StlAscii: return "STL, ascii";
+    case Format::StlBinary: return "STL, binary";
+  }
+  return "?";
+}
+
 }  // namespace
 
 Cloud read_any(const Source& source, const Run& run) {
@@ -106,9 +119,10 @@ Cloud read_any(const Source& source, const Run& run) {
   for (const Magic& magic : refused) {
     if (source.bytes().starts_with(magic.start)) source.fail(magic.message);
   }
+  const auto known = format_by_content(source.bytes());
+  const Format format = known ? *known : format_by_ending(source);
   const auto read = [&]() -> Cloud {
-    const auto known = format_by_content(source.bytes());
-    switch (known ? *known : format_by_ending(source)) {
+    switch (format) {
       case Format::Ply: return read_ply(source, run);
       case Format::Text: return read_text(source, run);
       case Format::Obj: return read_obj(source, run);
@@ -120,6 +134,7 @@ Cloud read_any(const Source& source, const Run& run) {
     return {};
   };
   Cloud cloud = read();
+  if (cloud.format.empty()) cloud.format = name(format);  // PLY and PCD tell their kind themselves
   if (cloud.points.empty()) source.fail("has no points");
   source.progress(run, source.end());
   return cloud;

@@ -57,7 +57,7 @@ Embedding embed(Points points, const Triangulation& mesh, const std::vector<Loop
   Embedding embedding;
   for (int attempt = 0;; ++attempt) {
     std::vector<WeightedEdge> edges = cotangent_edges(points, mesh, evenness, run);
-    add_wheels(loops, n, 1, edges);
+    add_wheels(loops, n, edges);
     const Graph graph = make_graph(static_cast<Index>(uv.size()), edges);
     embedding.map = solve_map(graph, fixed, attempt == 0 ? residual : std::min(residual, exact), uv, run);
     if (embedding.map.residual > residual) {

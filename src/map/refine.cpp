@@ -4,9 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
 
+#include "map/domain.h"
 #include "map/embed.h"
+#include "map/free_map.h"
+#include "map/pinches.h"
+#include "map/refine_patch.h"
+#include "map/topology.h"
 #include "map/weights.h"
 #include "mesh/constrained_delaunay.h"
 #include "mesh/flip.h"
@@ -16,43 +22,93 @@
 namespace rimline {
 namespace {
 
-// The loop on the unit circle, by chord length (section 5), counter-clockwise.
-void place_on_circle(Points points, const std::vector<Index>& loop, std::vector<UV>& uv) {
+// A loop on a circle, by chord length (section 5): counter-clockwise from `start` for turn = 1, clockwise for
+// turn = -1.
+void place_on_circle(Points points, const std::vector<Index>& loop, UV centre, double radius, double start,
+                     double turn, std::vector<UV>& uv) {
   const std::size_t n = loop.size();
   std::vector<double> along(n + 1, 0);
   for (std::size_t i = 0; i < n; ++i)
     along[i + 1] = along[i] + distance(points[loop[i]], points[loop[(i + 1) % n]]);
   for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * along[i] / along[n];
-    uv[loop[i]] = {std::cos(angle), std::sin(angle)};
+    const double angle = start + turn * 2 * std::numbers::pi * along[i] / along[n];
+    uv[loop[i]] = {centre.u + radius * std::cos(angle), centre.v + radius * std::sin(angle)};
   }
+}
+
+double distance(UV a, UV b) { return std::hypot(a.u - b.u, a.v - b.v); }
+
+// How deep inside a convex polygon a point lies: the distance to the nearest side's line.
+double depth_inside(UV point, const std::vector<Index>& polygon, const std::vector<UV>& uv) {
+  double depth = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const UV a = uv[polygon[i]], b = uv[polygon[i + 1 < polygon.size() ? i + 1 : 0]];
+    const double area = (b.u - a.u) * (point.v - a.v) - (b.v - a.v) * (point.u - a.u);
+    depth = std::min(depth, area / distance(a, b));
+  }
+  return depth;
+}
+
+// Puts the rims of holes on small circles that can not meet, each about the centre that `uv` gives it and
+// turned as its first point lies.
+void hold_rims_apart(Points points, const std::vector<Loop>& loops, std::vector<UV>& uv) {
+  const std::vector<UV> centres(uv.begin() + static_cast<std::ptrdiff_t>(points.size()), uv.end());
+  for (std::size_t h = 0; h < centres.size(); ++h) {
+    const UV centre = centres[h];
+    double room = depth_inside(centre, loops.front().points, uv) / 2;
+    for (std::size_t g = 0; g < centres.size(); ++g) {
+      if (g != h) room = std::min(room, distance(centre, centres[g]) / 2);
+    }
+    const std::vector<Index>& rim = loops[h + 1].points;
+    double size = 0;
+    for (const Index i : rim) size += distance(uv[i], centre) / static_cast<double>(rim.size());
+    const UV first = uv[rim.front()];
+    const double start = std::atan2(first.v - centre.v, first.u - centre.u);
+    place_on_circle(points, rim, centre, std::min(size, 0.9 * room), start, -1, uv);
+  }
+}
+
+// The spacing of every point, copies included.
+std::vector<double> spacing_with(const Neighbours& neighbours, const std::vector<Index>& copies) {
+  std::vector<double> spacing = local_spacing(neighbours);
+  for (const Index v : copies) spacing.push_back(spacing[v]);
+  return spacing;
 }
 
 class Refiner {
  public:
-  Refiner(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
+  // `points` may end in copies of points where loops touch; `neighbours` and `stars` know the others only.
+  Refiner(Points points, const Neighbours& neighbours, const Stars& stars, const Separated& outline,
           const RefineOptions& options, const Run& run)
       : points_(points),
         neighbours_(neighbours),
-        loops_(loops),
+        stars_(stars),
+        loops_(outline.loops),
+        copies_(outline.original),
         options_(options),
         run_(run),
-        spacing_(local_spacing(neighbours)),
-        uv_(points.size() + loops.size() - 1) {
-    place_on_circle(points, loops.front().points, uv_);
+        spacing_(spacing_with(neighbours, outline.original)),
+        uv_(points.size() + outline.loops.size() - 1) {
+    place_on_circle(points, loops_.front().points, {0, 0}, 1, 0, 1, uv_);
   }
 
   Patch refine() {
     // Bad edges in so small a share do not pay for one more round.
-    const std::size_t tolerated = 3 * points_.size() / 10000;
+    const std::size_t tolerated = 18 * points_.size() / 10000;  // 0.06 % of the edges
     Patch patch;
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < options_.rounds; ++round) {
       run_.progress(Stage::Refine, round, options_.rounds);
-      Triangulation mesh = round == 0 ? triangulate_first() : triangulate();
-      const std::size_t flips = flip_edges(points_, mesh, run_);
+      Triangulation mesh;
+      if (round == 0) {
+        mesh = triangulate_first();
+      } else if (!try_triangulate(mesh)) {
+        break;  // the rough map before has rims that cross
+      }
+      const std::size_t flips = flip_edges(points_, mesh, copies_, run_);
       const EdgeQuality quality = edge_quality(points_, mesh, spacing_);
       patch.rounds.push_back({flips, quality.bad, quality.length});
+      if (round == 0 && quality.bad >= doubtful) check_topology();
       // Of two meshes over the same points the one of shorter edges is better; less is no progress.
       constexpr double progress = 1e-5;
       const bool better = quality.length < least * (1 - progress);
@@ -63,11 +119,7 @@ class Refiner {
       if (!better || quality.bad <= tolerated || round + 1 == options_.rounds) break;
       embed(points_, mesh_, loops_, rough, 0, uv_, run_);
     }
-    constexpr int repairs = 8;
-    const Embedding embedding = embed(points_, mesh_, loops_, options_.residual, repairs, uv_, run_);
-    patch.map = embedding.map;
-    patch.uv_flips = embedding.flips;
-    patch.evened = embedding.evened;
+    map_to_domain(patch);
     patch.uv.assign(uv_.begin(), uv_.begin() + static_cast<std::ptrdiff_t>(points_.size()));
     patch.triangles = std::move(mesh_.triangles);
     return patch;
@@ -75,47 +127,112 @@ class Refiner {
 
  private:
   static constexpr double rough = 1e-6;  // residual of the maps that only lead to the next mesh
+  // A disc drawn over a handle or a one-sided strip has at least one bad edge for each point around it.
+  static constexpr std::size_t doubtful = 8;
 
-  // The first map knows neighbours only, and rims may cross in it: then once more, the rims stiffer.
-  Triangulation triangulate_first() {
-    const Stars stars = find_stars(points_, neighbours_, {}, {}, run_);
-    for (const double stiffness : {1.0, 10.0, 100.0}) {
-      map_neighbours(stars, stiffness);
-      try {
-        return triangulate();
-      } catch (const Error& error) {
-        if (error.code() != ErrorCode::NotADisc || stiffness == 100 || loops_.size() == 1) throw;
-      }
+  // The last map, on the last mesh.
+  void map_to_domain(Patch& patch) {
+    const std::vector<Index>& outer = loops_.front().points;
+    if (options_.domain == Domain::Free) {
+      if (map_freely(false, patch) || (loops_.size() > 1 && map_freely(true, patch))) return;
+    } else if (options_.domain != Domain::Disc) {
+      place_outline(points_, outer, options_.domain, options_.corners, uv_);
     }
-    return {};
+    map_to_outline(patch);
+    if (options_.domain == Domain::Free) scale_to_area(points_, mesh_, uv_);
   }
 
-  // eq. (4) with the local Voronoi cells as neighbourhoods.
-  void map_neighbours(const Stars& stars, double stiffness) {
+  // The outline as uv_ has it.
+  void map_to_outline(Patch& patch) {
+    constexpr int repairs = 8;
+    const Embedding embedding = embed(points_, mesh_, loops_, options_.residual, repairs, uv_, run_);
+    patch.domain = options_.domain == Domain::Free ? Domain::Disc : options_.domain;
+    patch.map = embedding.map;
+    patch.uv_flips = embedding.flips;
+    patch.evened = embedding.evened;
+  }
+
+  // Holes may turn inside out in a free map; `capped` closes each by a fan about its centre. False, and uv_
+  // as it was, where triangles flip or the outline crosses itself.
+  bool map_freely(bool capped, Patch& patch) {
+    std::vector<Point> points(points_.begin(), points_.end());
+    Triangulation mesh = mesh_;
+    if (capped) add_caps(loops_, points, mesh);
+    std::vector<UV> uv(points.size());
+    patch.map = free_map(points, mesh, loops_.front().points, uv, run_);
+    patch.uv_flips = unflip(mesh_, uv, run_);
+    if (patch.uv_flips > 0 || count_crossings(loops_.front().points, uv) > 0) return false;
+    patch.domain = Domain::Free;
+    uv.resize(uv_.size());
+    uv_ = std::move(uv);
+    return true;
+  }
+
+  void check_topology() const {
+    constexpr double enough = 0.5;  // of the points, for the verdict to count
+    const Topology topology = find_topology(stars_);
+    if (topology.coverage < enough) return;
+    if (!topology.orientable) throw Error(ErrorCode::NotADisc, "the surface is one-sided (not orientable)");
+    if (topology.genus > 0) {
+      throw Error(ErrorCode::NotADisc, "the surface is no disc: it has " + std::to_string(topology.genus) +
+                                           (topology.genus == 1 ? " handle" : " handles"));
+    }
+  }
+
+  // The first map knows neighbours only, and rims may cross in it: then once more, the rims held apart.
+  Triangulation triangulate_first() {
     const Index nodes = static_cast<Index>(uv_.size());
     std::vector<char> fixed(nodes, 0);
     for (const Index i : loops_.front().points) fixed[i] = 1;
-    std::vector<WeightedEdge> edges = star_edges(stars);
-    add_wheels(loops_, static_cast<Index>(points_.size()), stiffness, edges);
-    Graph graph = make_graph(nodes, edges);
-    if (!unreachable(graph, fixed).empty()) {
-      join_islands(neighbours_, fixed, edges);
-      graph = make_graph(nodes, edges);
+    const Graph graph = neighbour_graph(fixed);
+    solve_map(graph, fixed, rough, uv_, run_);
+    Triangulation mesh;
+    if (try_triangulate(mesh)) return mesh;
+    hold_rims_apart(points_, loops_, uv_);
+    for (std::size_t h = 1; h < loops_.size(); ++h) {
+      for (const Index i : loops_[h].points) fixed[i] = 1;
     }
     solve_map(graph, fixed, rough, uv_, run_);
+    return triangulate();
+  }
+
+  // eq. (4) with the local Voronoi cells as neighbourhoods.
+  Graph neighbour_graph(const std::vector<char>& fixed) const {
+    const Index nodes = static_cast<Index>(fixed.size());
+    std::vector<WeightedEdge> edges = star_edges(stars_);
+    if (!copies_.empty()) share_with_copies(points_, loops_, copies_, edges);
+    add_wheels(loops_, static_cast<Index>(points_.size()), edges);
+    Graph graph = make_graph(nodes, edges);
+    if (unreachable(graph, fixed).empty()) return graph;
+    join_islands(neighbours_, fixed, edges);
+    return make_graph(nodes, edges);
+  }
+
+  // False where rims cross in uv.
+  bool try_triangulate(Triangulation& mesh) {
+    try {
+      mesh = triangulate();
+      return true;
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::NotADisc) throw;
+      return false;
+    }
   }
 
   Triangulation triangulate() {
     std::vector<Triangle> triangles = constrained_delaunay(std::span(uv_).first(points_.size()), loops_);
     Triangulation mesh = triangulation_of(std::move(triangles), static_cast<Index>(points_.size()));
     const std::vector<Index> missing = insert_missing(points_, neighbours_, mesh);
-    if (!missing.empty()) throw Error(ErrorCode::NotADisc, "points lie apart from the mesh", missing);
+    if (!missing.empty())
+      throw Error(ErrorCode::UnreachableInterior, "points lie apart from the mesh", missing);
     return mesh;
   }
 
   Points points_;
   const Neighbours& neighbours_;
+  const Stars& stars_;
   const std::vector<Loop>& loops_;
+  const std::vector<Index>& copies_;
   const RefineOptions& options_;
   const Run& run_;
   std::vector<double> spacing_;
@@ -125,9 +242,34 @@ class Refiner {
 
 }  // namespace
 
+const char* name(Domain domain) {
+  switch (domain) {
+    case Domain::Disc: return "disc";
+    case Domain::Square: return "square";
+    case Domain::Rectangle: return "rectangle";
+    case Domain::Free: return "free";
+  }
+  return "";
+}
+
 Patch refine_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                    const RefineOptions& options, const Run& run) {
-  return Refiner(points, neighbours, loops, options, run).refine();
+  const Separated outline = separate_pinches(loops, static_cast<Index>(points.size()));
+  return refine_patch(points, neighbours, find_stars(points, neighbours, {}, {}, run), outline, options, run);
+}
+
+Patch refine_patch(Points points, const Neighbours& neighbours, const Stars& stars, const Separated& outline,
+                   const RefineOptions& options, const Run& run) {
+  if (outline.original.empty()) return Refiner(points, neighbours, stars, outline, options, run).refine();
+  const Index n = static_cast<Index>(points.size());
+  std::vector<Point> with_copies(points.begin(), points.end());
+  for (const Index v : outline.original) with_copies.push_back(points[v]);
+  Patch patch = Refiner(with_copies, neighbours, stars, outline, options, run).refine();
+  for (Triangle& t : patch.triangles) {
+    for (Index& v : t) v = v < n ? v : outline.original[v - n];
+  }
+  patch.uv.resize(points.size());
+  return patch;
 }
 
 }  // namespace rimline

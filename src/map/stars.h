@@ -20,7 +20,7 @@ struct StarOptions {
 // closed and flat. [ours: the paper's reciprocal distances to k neighbours reach across walls and holes]
 struct Stars {
   std::vector<Index> offsets = {0};  // n + 1
-  std::vector<Index> neighbours;
+  std::vector<Index> neighbours;     // in order around the point; `none` where the cell is open
   std::vector<double> weights;
   std::vector<Point> normals;  // unit, of the tangent plane; the sign is arbitrary
 

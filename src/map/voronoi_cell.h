@@ -58,14 +58,15 @@ class VoronoiCell {
     measure();
   }
 
-  // Calls edge(id, length / distance) for the neighbours in counter-clockwise order.
+  // Calls edge(id, length / distance) for the sides in counter-clockwise order; an open side has id `none`
+  // and weight 0.
   template <class Edge>
   void edges(const Edge& edge) const {
     for (int i = 0; i < size_; ++i) {
       const Corner &a = corners_[i], &b = corners_[i + 1 < size_ ? i + 1 : 0];
-      if (a.id == none) continue;
       const double length2 = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
-      edge(a.id, std::sqrt(length2 / (a.across_x * a.across_x + a.across_y * a.across_y)));
+      const double across2 = a.across_x * a.across_x + a.across_y * a.across_y;
+      edge(a.id, a.id == none ? 0 : std::sqrt(length2 / across2));
     }
   }
 

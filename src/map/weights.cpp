@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "parallel.h"
@@ -31,6 +32,41 @@ std::vector<WeightedEdge> star_edges(const Stars& stars) {
   return edges;
 }
 
+void share_with_copies(Points points, const std::vector<Loop>& loops, const std::vector<Index>& original,
+                       std::vector<WeightedEdge>& edges) {
+  struct Pass {
+    Index id, before, after;  // the point or its copy, and its neighbours along the loop
+  };
+  const Index first_copy = static_cast<Index>(points.size() - original.size());
+  std::map<Index, std::vector<Pass>> passes;
+  for (const Index v : original) passes[v];
+  for (const Loop& loop : loops) {
+    const std::size_t n = loop.points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index id = loop.points[i];
+      const auto at = passes.find(id < first_copy ? id : original[id - first_copy]);
+      if (at != passes.end())
+        at->second.push_back({id, loop.points[(i + n - 1) % n], loop.points[(i + 1) % n]});
+    }
+  }
+  const auto nearest = [&](Index v, Index other) {
+    const auto at = passes.find(v);
+    if (at == passes.end()) return v;
+    const auto gap = [&](const Pass& pass) {
+      const Point p = points[other];
+      return std::min(squared_distance(points[pass.before], p), squared_distance(points[pass.after], p));
+    };
+    return std::min_element(at->second.begin(), at->second.end(),
+                            [&](const Pass& a, const Pass& b) { return gap(a) < gap(b); })
+        ->id;
+  };
+  for (WeightedEdge& e : edges) {
+    const Index a = nearest(e.a, e.b), b = nearest(e.b, e.a);
+    e.a = a;
+    e.b = b;
+  }
+}
+
 void join_islands(const Neighbours& neighbours, const std::vector<char>& fixed,
                   std::vector<WeightedEdge>& edges) {
   constexpr double weak = 0.01;
@@ -56,16 +92,15 @@ void join_islands(const Neighbours& neighbours, const std::vector<char>& fixed,
   }
 }
 
-void add_wheels(const std::vector<Loop>& loops, Index point_count, double stiffness,
-                std::vector<WeightedEdge>& edges) {
+void add_wheels(const std::vector<Loop>& loops, Index point_count, std::vector<WeightedEdge>& edges) {
   for (std::size_t h = 1; h < loops.size(); ++h) {
     const std::vector<Index>& rim = loops[h].points;
     // Cotangent weights of the wheel over a regular polygon; over fewer than five corners the rim's own
     // would not be positive.
     const double half = std::numbers::pi / static_cast<double>(std::max<std::size_t>(rim.size(), 5));
     for (std::size_t i = 0; i < rim.size(); ++i) {
-      edges.push_back({rim[i], static_cast<Index>(point_count + h - 1), stiffness * std::tan(half)});
-      edges.push_back({rim[i], rim[(i + 1) % rim.size()], stiffness * 0.5 / std::tan(2 * half)});
+      edges.push_back({rim[i], static_cast<Index>(point_count + h - 1), std::tan(half)});
+      edges.push_back({rim[i], rim[(i + 1) % rim.size()], 0.5 / std::tan(2 * half)});
     }
   }
 }

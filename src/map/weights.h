@@ -14,15 +14,20 @@ namespace rimline {
 // The edges of the local Voronoi cells, each weight half of what either side says.
 std::vector<WeightedEdge> star_edges(const Stars& stars);
 
+// Where loops touched in a point, two wedges of the surface meet, and a copy of the point (id point_count + i
+// for original[i]) has one of them: gives each edge of the point to the copy whose edges of the loop are
+// nearer.
+void share_with_copies(Points points, const std::vector<Loop>& loops, const std::vector<Index>& original,
+                       std::vector<WeightedEdge>& edges);
+
 // Joins nodes that no path leads to from a fixed one to those of their neighbours for which there is one,
 // weakly. What has no such neighbour either stays apart.
 void join_islands(const Neighbours& neighbours, const std::vector<char>& fixed,
                   std::vector<WeightedEdge>& edges);
 
 // Closes each hole (all loops but the first) for the solve by one more node, joined to the rim as the centre
-// of a regular polygon is to its corners. The nodes follow the points. `stiffness` multiplies these weights.
-void add_wheels(const std::vector<Loop>& loops, Index point_count, double stiffness,
-                std::vector<WeightedEdge>& edges);
+// of a regular polygon is to its corners. The nodes follow the points.
+void add_wheels(const std::vector<Loop>& loops, Index point_count, std::vector<WeightedEdge>& edges);
 
 // Half the cotangents of the angles opposite to each edge, in space: a discrete harmonic map (Pinkall &
 // Polthier 1993). Kept within [least, most], as an embedding needs positive weights (Tutte 1963; Floater

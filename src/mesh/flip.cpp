@@ -17,8 +17,13 @@ double cotangent(Point p, Point a, Point b) {
 
 class Flipper {
  public:
-  Flipper(Points points, Triangulation& mesh, const Run& run)
-      : points_(points), mesh_(mesh), run_(run), queued_(mesh.triangles.size(), 0) {}
+  Flipper(Points points, Triangulation& mesh, std::span<const Index> copies, const Run& run)
+      : points_(points),
+        mesh_(mesh),
+        copies_(copies),
+        first_copy_(static_cast<Index>(points.size() - copies.size())),
+        run_(run),
+        queued_(mesh.triangles.size(), 0) {}
 
   std::size_t flip_all() {
     queue_.reserve(mesh_.triangles.size());
@@ -47,18 +52,21 @@ class Flipper {
     queue_.push_back(t);
   }
 
+  Index original(Index v) const { return v < first_copy_ ? v : copies_[v - first_copy_]; }
+
   bool wants_flip(Index t, int c) const {
     constexpr double tie = 1e-9;  // of the cotangents' sum: squares keep the diagonal they have
     const Index other = mesh_.adjacent[t][c];
     if (other == none) return false;
     const Triangle& v = mesh_.triangles[t];
     const Index apex = mesh_.triangles[other][mesh_.corner_across(other, t)];
+    if (!copies_.empty() && original(v[next(c)]) == original(v[previous(c)])) return true;
     const Point a = points_[v[next(c)]], b = points_[v[previous(c)]];
     return cotangent(points_[v[c]], a, b) + cotangent(points_[apex], a, b) < -tie;
   }
 
-  // Whether an edge joins corner `c` of triangle t to vertex `w`: walks around the corner, both ways where
-  // the boundary is met.
+  // Whether an edge joins corner `c` of triangle t to vertex `w` or a copy of it: walks around the corner,
+  // both ways where the boundary is met.
   bool joined(Index t, int c, Index w) const {
     const Index v = mesh_.triangles[t][c];
     for (const bool forward : {true, false}) {
@@ -66,7 +74,7 @@ class Flipper {
       while (true) {
         const int k = mesh_.corner_of(at, v);
         const Triangle& x = mesh_.triangles[at];
-        if (x[next(k)] == w || x[previous(k)] == w) return true;
+        if (original(x[next(k)]) == w || original(x[previous(k)]) == w) return true;
         at = mesh_.adjacent[at][forward ? next(k) : previous(k)];
         if (at == t) return false;
         if (at == none) break;
@@ -80,7 +88,8 @@ class Flipper {
     const Index other = mesh_.adjacent[t][c];
     const int d = mesh_.corner_across(other, t);
     const Index p = mesh_.triangles[t][c], q = mesh_.triangles[other][d];
-    if (joined(t, c, q)) return false;
+    if (original(p) == original(q) || joined(t, c, original(q))) return false;
+    if (!copies_.empty() && joined(other, d, original(p))) return false;
     const Index a = mesh_.triangles[t][next(c)], b = mesh_.triangles[t][previous(c)];
     const Index beyond_a = mesh_.adjacent[t][next(c)];         // across the edge b p
     const Index beyond_b = mesh_.adjacent[t][previous(c)];     // across the edge p a
@@ -106,6 +115,8 @@ class Flipper {
 
   Points points_;
   Triangulation& mesh_;
+  std::span<const Index> copies_;
+  Index first_copy_;
   const Run& run_;
   std::vector<char> queued_;
   std::vector<Index> queue_;
@@ -113,8 +124,8 @@ class Flipper {
 
 }  // namespace
 
-std::size_t flip_edges(Points points, Triangulation& mesh, const Run& run) {
-  return Flipper(points, mesh, run).flip_all();
+std::size_t flip_edges(Points points, Triangulation& mesh, std::span<const Index> copies, const Run& run) {
+  return Flipper(points, mesh, copies, run).flip_all();
 }
 
 }  // namespace rimline

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "mesh/triangulation.h"
 #include "rimline/run.h"
@@ -10,7 +11,9 @@
 namespace rimline {
 
 // Flips inner edges while the two angles opposite to one sum to more than pi, unless the new edge exists
-// already. Boundary edges stay. Returns the number of flips. Deterministic.
-std::size_t flip_edges(Points points, Triangulation& mesh, const Run& run);
+// already. Boundary edges stay. The last vertices may be copies: vertex points.size() - copies.size() + i of
+// vertex copies[i]. Edges between copies of one vertex are flipped whatever their angles and never made, and
+// edges to two copies count as one. Returns the number of flips. Deterministic.
+std::size_t flip_edges(Points points, Triangulation& mesh, std::span<const Index> copies, const Run& run);
 
 }  // namespace rimline

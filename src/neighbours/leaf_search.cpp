@@ -18,11 +18,11 @@ constexpr double slack = 1.1;
 // More gathered points than this many times k are a sign that the radius is too large.
 constexpr std::size_t most_gathered = 32;
 
-// A bucket with more points than this is not worth sorting by short moves.
-constexpr std::size_t most_in_bucket = 24;
+// Moves in sorting what should be nearly sorted, for each point, before that is given up.
+constexpr std::size_t most_moves = 8;
 
 // Buckets of the squared distance within the radius.
-constexpr std::size_t buckets = 128;
+constexpr std::size_t buckets = 64;
 
 // The error of the single precision in radii: where it is more (the leaf is that much larger than the
 // radius), distances are not compared in single precision.
@@ -77,7 +77,8 @@ bool LeafSearch::gather(std::size_t own) {
   const Point centre = 0.5 * leaf.low + 0.5 * leaf.high;
   const double scale = 1 / radius_;
   const std::size_t count = places_.size();
-  x_.resize(count), y_.resize(count), z_.resize(count), squared_.resize(count);
+  x_.resize(count), y_.resize(count), z_.resize(count);
+  squared_.resize(count), room_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     x_[i] = static_cast<float>((tree_.x[places_[i]] - centre.x) * scale);
     y_[i] = static_cast<float>((tree_.y[places_[i]] - centre.y) * scale);
@@ -102,40 +103,34 @@ void LeafSearch::pass(std::size_t place) {
     squared_[i] = dx * dx + dy * dy + dz * dz;
   }
   squared_[self] = std::numeric_limits<float>::infinity();
-  passed_.resize(count);
   std::size_t passed = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    passed_[passed] = static_cast<Index>(i);
+    room_[passed] = static_cast<Index>(i);
     passed += squared_[i] <= limit_;
   }
-  passed_.resize(passed);
+  passed_ = {room_.data(), passed};
 }
 
 bool LeafSearch::search_gathered(std::size_t place) {
   pass(place);
   if (passed_.size() < k_) return false;
-  const bool even = keep_nearest();
+  keep_nearest();
   const Point point = tree_.point(place);
   for (Found& found : found_) found.squared = squared_distance(tree_.point(found.place), point);
-  sort_found(even);
+  sort_found();
   // Only within the radius nothing was missed.
   return found_[k_ - 1].squared <= radius_ * radius_;
 }
 
 // Copies at least the k nearest of those that passed to `found_`, nearly sorted: by buckets of the squared
-// distance in single precision, which points of a surface fill evenly. Returns whether they did.
-bool LeafSearch::keep_nearest() {
+// distance in single precision, which points of a surface fill evenly.
+void LeafSearch::keep_nearest() {
   const float scale = static_cast<float>(buckets);
   const auto bucket = [&](Index i) { return static_cast<std::size_t>(squared_[i] * scale); };
   std::array<Index, buckets + 3> start{};
   for (const Index i : passed_) ++start[bucket(i)];
-  std::size_t kept = 0, fullest = 0, end = 0;
-  const auto take_bucket = [&] {
-    const auto points = static_cast<std::size_t>(start[end]);
-    fullest = std::max(fullest, points);
-    start[end++] = static_cast<Index>(kept);
-    kept += points;
-  };
+  std::size_t kept = 0, end = 0;
+  const auto take_bucket = [&] { kept += std::exchange(start[end++], static_cast<Index>(kept)); };
   while (kept < k_) take_bucket();
   // The margin is far less than a bucket, so one more has all whose exact distance may be among the least.
   take_bucket();
@@ -143,18 +138,20 @@ bool LeafSearch::keep_nearest() {
   start[end] = static_cast<Index>(kept);  // all others, which go
   for (const Index i : passed_) found_[start[std::min(bucket(i), end)]++].place = places_[i];
   found_.resize(kept);
-  return fullest <= most_in_bucket;
 }
 
-void LeafSearch::sort_found(bool even) {
-  const auto order = [this](const Found& a, const Found& b) { return before(a, b); };
-  if (!even) return std::sort(found_.begin(), found_.end(), order);
-  // Moves are short in what is nearly sorted.
+void LeafSearch::sort_found() {
+  std::size_t moves = 0;
   for (std::size_t i = 1; i < found_.size(); ++i) {
     const Found found = found_[i];
     std::size_t to = i;
     for (; to > 0 && before(found, found_[to - 1]); --to) found_[to] = found_[to - 1];
     found_[to] = found;
+    moves += i - to;
+    if (moves > most_moves * found_.size()) {
+      return std::sort(found_.begin(), found_.end(),
+                       [this](const Found& a, const Found& b) { return before(a, b); });
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 // The k nearest points of all points of a leaf at once.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "neighbours/kd_tree.h"
@@ -29,8 +30,8 @@ class LeafSearch {
   bool gather(std::size_t leaf_node);
   bool search_gathered(std::size_t place);
   void pass(std::size_t place);
-  bool keep_nearest();
-  void sort_found(bool even);
+  void keep_nearest();
+  void sort_found();
   void search_tree(std::size_t place);
   void visit(std::size_t node, std::size_t place);
   bool before(const Found& a, const Found& b) const;
@@ -44,10 +45,11 @@ class LeafSearch {
   float limit_ = 0;  // squared distances, in radii, that may be at most 1 when computed exactly
   std::size_t first_ = 0, self_ = 0;  // place and position in the gathered of the leaf's first point
   std::vector<std::size_t> stack_;
-  std::vector<Index> places_;     // gathered for the leaf
-  std::vector<float> x_, y_, z_;  // of the gathered, from the centre of the leaf, in radii
-  std::vector<float> squared_;    // of the gathered, from the point that is searched for
-  std::vector<Index> passed_;     // positions in the gathered
+  std::vector<Index> places_;      // gathered for the leaf
+  std::vector<float> x_, y_, z_;   // of the gathered, from the centre of the leaf, in radii
+  std::vector<float> squared_;     // of the gathered, from the point that is searched for
+  std::span<const Index> passed_;  // positions in the gathered of what may be within the radius
+  std::vector<Index> room_;        // for these
 };
 
 }  // namespace rimline

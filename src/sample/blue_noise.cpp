@@ -36,7 +36,7 @@ struct Piece {
 
 class DartThrower {
  public:
-  DartThrower(const Surface& surface, const Density& density, const Run& run, std::size_t expected)
+  DartThrower(const AnalyticSurface& surface, const Density& density, const Run& run, std::size_t expected)
       : surface_(surface),
         density_(density),
         run_(run),
@@ -209,7 +209,7 @@ class DartThrower {
     place(at, p);
   }
 
-  const Surface& surface_;
+  const AnalyticSurface& surface_;
   const Density& density_;
   const Run& run_;
   Random random_;
@@ -226,7 +226,8 @@ class DartThrower {
 
 }  // namespace
 
-BlueNoise blue_noise(const Surface& surface, const Density& density, const Run& run, std::size_t expected) {
+BlueNoise blue_noise(const AnalyticSurface& surface, const Density& density, const Run& run,
+                     std::size_t expected) {
   return DartThrower(surface, density, run, expected).throw_all();
 }
 

@@ -25,7 +25,7 @@ using Vertex = Triangulation::Vertex_handle;
 // opposite angles in space, since the plane shows angles truly only where the map is conformal.
 class Neighbourhood {
  public:
-  Neighbourhood(const Surface& surface, const BlueNoise& noise) : points_(noise.draft.points) {
+  Neighbourhood(const AnalyticSurface& surface, const BlueNoise& noise) : points_(noise.draft.points) {
     std::vector<std::pair<Kernel::Point_2, Index>> placed;
     placed.reserve(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -185,7 +185,8 @@ class Crop {
   std::vector<std::uint8_t> kept_;
 };
 
-double signed_area(const std::vector<Index>& loop, const Surface& surface, const std::vector<UV>& uv) {
+double signed_area(const std::vector<Index>& loop, const AnalyticSurface& surface,
+                   const std::vector<UV>& uv) {
   double sum = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const UV a = surface.plane(uv[loop[i]]), b = surface.plane(uv[loop[(i + 1) % loop.size()]]);
@@ -214,8 +215,8 @@ Draft gather(const BlueNoise& noise, const Crop& crop, std::vector<std::vector<I
 
 Draft cropped(Shape shape, double spacing, const Run& run, std::size_t expected) {
   constexpr double margin = 3;  // in spacings: no edge of the triangulation is longer than 1.7
-  const Surface patch = make_surface(shape);
-  Surface larger = make_surface(shape, margin * spacing);
+  const AnalyticSurface patch = make_surface(shape);
+  AnalyticSurface larger = make_surface(shape, margin * spacing);
   larger.rims.clear();
   const BlueNoise noise = blue_noise(larger, {DensityChange::None, spacing}, run, expected);
   const Neighbourhood neighbourhood(larger, noise);

@@ -3,7 +3,7 @@
 
 namespace rimline {
 
-Extent measure(const Surface& surface, const Density& density) {
+Extent measure(const AnalyticSurface& surface, const Density& density) {
   constexpr int steps = 128;
   Extent extent;
   const double du = surface.box.width() / steps, dv = surface.box.height() / steps;

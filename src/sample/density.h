@@ -17,7 +17,7 @@ struct Density {
   double spacing = 0;  // where the relative density is 1, the least there is
 
   // From 10 down to 1 across the surface: as 10^(1 - t), or 10 in the first half and 1 in the second.
-  double relative(const Surface& surface, UV at) const {
+  double relative(const AnalyticSurface& surface, UV at) const {
     switch (change) {
       case DensityChange::None: return 1;
       case DensityChange::Smooth: return std::pow(10, 1 - std::clamp(surface.across(at), 0.0, 1.0));
@@ -25,7 +25,7 @@ struct Density {
     }
     return 1;
   }
-  double spacing_at(const Surface& surface, UV at) const {
+  double spacing_at(const AnalyticSurface& surface, UV at) const {
     return change == DensityChange::None ? spacing : spacing / std::sqrt(relative(surface, at));
   }
 };
@@ -37,6 +37,6 @@ struct Extent {
   double weighted_area = 0;    // times the relative density
   double largest_stretch = 0;  // an upper bound of Tangents::area() on the surface
 };
-Extent measure(const Surface& surface, const Density& density);
+Extent measure(const AnalyticSurface& surface, const Density& density);
 
 }  // namespace rimline

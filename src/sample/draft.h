@@ -24,18 +24,20 @@ struct BlueNoise {
   Draft draft;
   std::vector<UV> uv;  // of the points, in the chart
 };
-BlueNoise blue_noise(const Surface& surface, const Density& density, const Run& run, std::size_t expected);
+BlueNoise blue_noise(const AnalyticSurface& surface, const Density& density, const Run& run,
+                     std::size_t expected);
 
 // Dart throwing jams at 0.6966 points for a square of one radius (0.5471 of the plane covered by discs:
 // Torquato, Uche, Stillinger 2006), so this radius gives one point for a square of one spacing.
 inline constexpr double blue_radius = 0.8346;
 
 // Rims walked at one spacing and points drawn uniformly by area, `count` in all.
-Draft random_points(const Surface& surface, double spacing, std::size_t count, const Run& run);
+Draft random_points(const AnalyticSurface& surface, double spacing, std::size_t count, const Run& run);
 
 // Rows of points at equal steps and the rims at the same; nodes within half a spacing of a rim are dropped.
 // `aspect` is the step across the rows over the step along them; above 1 each row begins at its own phase.
-Draft lattice(const Surface& surface, double spacing, double aspect, const Run& run, std::size_t expected);
+Draft lattice(const AnalyticSurface& surface, double spacing, double aspect, const Run& run,
+              std::size_t expected);
 
 // Blue noise on the larger surface without the points outside the smaller one. Loops: points that lost a
 // Delaunay neighbour. Points whose remaining triangles do not form one fan are left out too, and all but the

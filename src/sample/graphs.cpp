@@ -13,8 +13,8 @@ struct Height {
   double z, dx, dy;
 };
 
-Surface graph(const std::function<Height(UV)>& height) {
-  Surface surface;
+AnalyticSurface graph(const std::function<Height(UV)>& height) {
+  AnalyticSurface surface;
   surface.at = [=](UV at) { return Point{at.u, at.v, height(at).z}; };
   surface.tangents = [=](UV at) {
     const Height h = height(at);
@@ -46,7 +46,7 @@ Height saddle(UV at) {
 constexpr double leaf = 0.12;
 double flower(double angle) { return 1 + leaf * std::cos(5 * angle); }
 
-void set_square(Surface& surface, double side, double margin) {
+void set_square(AnalyticSurface& surface, double side, double margin) {
   const Box box = grown({{0, 0}, {side, side}}, margin);
   surface.box = box;
   surface.depth = [=](UV at) { return depth_in(box, at); };
@@ -56,8 +56,8 @@ void set_square(Surface& surface, double side, double margin) {
 
 }  // namespace
 
-Surface flat_disc(double margin) {
-  Surface surface = graph(flat);
+AnalyticSurface flat_disc(double margin) {
+  AnalyticSurface surface = graph(flat);
   const double radius = 1 + margin;
   surface.box = {{-radius, -radius}, {radius, radius}};
   surface.depth = [=](UV at) { return radius - std::hypot(at.u, at.v); };
@@ -66,14 +66,14 @@ Surface flat_disc(double margin) {
   return surface;
 }
 
-Surface bumpy_square(double margin) {
-  Surface surface = graph(bumps);
+AnalyticSurface bumpy_square(double margin) {
+  AnalyticSurface surface = graph(bumps);
   set_square(surface, 1, margin);
   return surface;
 }
 
-Surface wavy_saddle(double margin) {
-  Surface surface = graph(saddle);
+AnalyticSurface wavy_saddle(double margin) {
+  AnalyticSurface surface = graph(saddle);
   const double radius = 1 + leaf + margin;
   surface.box = {{-radius, -radius}, {radius, radius}};
   surface.depth = [=](UV at) {
@@ -89,14 +89,14 @@ Surface wavy_saddle(double margin) {
   return surface;
 }
 
-Surface square_with_holes(double margin) {
+AnalyticSurface square_with_holes(double margin) {
   struct Hole {
     UV centre;
     double radius;
   };
   constexpr Hole holes[] = {{{0.27, 0.27}, 0.13}, {{0.69, 0.40}, 0.16}, {{0.38, 0.75}, 0.12}};
 
-  Surface surface = graph(flat);
+  AnalyticSurface surface = graph(flat);
   set_square(surface, 1, margin);
   if (margin > 0) return surface;
   surface.depth = [=, box = surface.box](UV at) {

@@ -20,7 +20,7 @@ struct Steps {
   int rows;          // rows 0 to rows - 1, those on a rim included
 };
 
-Steps divide(const Surface& surface, double along, double across) {
+Steps divide(const AnalyticSurface& surface, double along, double across) {
   const double height = surface.box.height(), low = surface.box.low.v;
   const bool low_pole = surface.low_end == End::Pole, high_pole = surface.high_end == End::Pole;
   const double halves = 0.5 * (static_cast<int>(low_pole) +
@@ -37,7 +37,7 @@ Steps divide(const Surface& surface, double along, double across) {
 
 class Lattice {
  public:
-  Lattice(const Surface& surface, const Steps& steps, const Run& run, bool phases)
+  Lattice(const AnalyticSurface& surface, const Steps& steps, const Run& run, bool phases)
       : surface_(surface),
         steps_(steps),
         run_(run),
@@ -102,7 +102,7 @@ class Lattice {
     }
   }
 
-  const Surface& surface_;
+  const AnalyticSurface& surface_;
   Steps steps_;
   const Run& run_;
   bool phases_;
@@ -112,7 +112,8 @@ class Lattice {
 
 }  // namespace
 
-Draft lattice(const Surface& surface, double spacing, double aspect, const Run& run, std::size_t expected) {
+Draft lattice(const AnalyticSurface& surface, double spacing, double aspect, const Run& run,
+              std::size_t expected) {
   Steps steps = divide(surface, spacing / std::sqrt(aspect), spacing * std::sqrt(aspect));
   // Few rows fit evenly only at another distance: the count is kept and the aspect gives way.
   if (aspect > 1) steps = divide(surface, spacing * spacing / steps.across, steps.across);

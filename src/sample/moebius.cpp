@@ -41,9 +41,9 @@ UV annulus(UV at, const std::vector<double>& length) {
 
 }  // namespace
 
-Surface moebius_strip(double margin) {
+AnalyticSurface moebius_strip(double margin) {
   const double high = half_width + margin;
-  Surface surface;
+  AnalyticSurface surface;
   surface.at = [](UV at) {
     const double r = 1 + at.v * std::cos(at.u / 2);
     return Point{r * std::cos(at.u), r * std::sin(at.u), at.v * std::sin(at.u / 2)};

@@ -5,7 +5,7 @@
 
 namespace rimline {
 
-Draft random_points(const Surface& surface, double spacing, std::size_t count, const Run& run) {
+Draft random_points(const AnalyticSurface& surface, double spacing, std::size_t count, const Run& run) {
   const StepLength length = [&](UV a, UV b) { return distance(surface.at(a), surface.at(b)) / spacing; };
   const RimDistance rim(surface, length, spacing / 2, surface.at);
   const double largest = measure(surface, {}).largest_stretch;

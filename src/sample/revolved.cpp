@@ -18,8 +18,8 @@ struct Profile {
   double dradius, dz;  // which way, as a unit vector
 };
 
-Surface revolved(const std::function<Profile(double)>& profile, double low, double high) {
-  Surface surface;
+AnalyticSurface revolved(const std::function<Profile(double)>& profile, double low, double high) {
+  AnalyticSurface surface;
   surface.at = [=](UV at) {
     const Profile p = profile(at.v);
     return Point{p.radius * std::cos(at.u), p.radius * std::sin(at.u), p.z};
@@ -43,8 +43,8 @@ Profile unit_circle(double v) { return {std::cos(v), std::sin(v), -std::sin(v), 
 UV polar(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
 // The unit sphere above a latitude.
-Surface sphere_above(double latitude) {
-  Surface surface = revolved(unit_circle, std::max(latitude, -pi / 2), pi / 2);
+AnalyticSurface sphere_above(double latitude) {
+  AnalyticSurface surface = revolved(unit_circle, std::max(latitude, -pi / 2), pi / 2);
   surface.across = [](UV at) { return (1 + std::cos(at.v) * std::cos(at.u)) / 2; };
   // Stereographic: circles stay circles, so Delaunay here is Delaunay on the sphere.
   surface.plane = [](UV at) { return polar(std::tan((pi / 2 - at.v) / 2), at.u); };
@@ -53,13 +53,13 @@ Surface sphere_above(double latitude) {
 
 }  // namespace
 
-Surface hemisphere_cap(double margin) { return sphere_above(-margin); }
+AnalyticSurface hemisphere_cap(double margin) { return sphere_above(-margin); }
 
 // All but a cap of 20 degrees about the south pole.
-Surface sphere_minus_cap(double margin) { return sphere_above(-70 * pi / 180 - margin); }
+AnalyticSurface sphere_minus_cap(double margin) { return sphere_above(-70 * pi / 180 - margin); }
 
-Surface closed_sphere() {
-  Surface surface = sphere_above(-pi / 2);
+AnalyticSurface closed_sphere() {
+  AnalyticSurface surface = sphere_above(-pi / 2);
   surface.depth = [](UV) { return 1.0; };
   surface.low_end = End::Pole;
   surface.rims.clear();
@@ -67,14 +67,14 @@ Surface closed_sphere() {
 }
 
 // A tube that stands on its open end and carries a half sphere.
-Surface capped_tube(double margin) {
+AnalyticSurface capped_tube(double margin) {
   constexpr double radius = 0.3, length = 0.9, top = length + radius * pi / 2;
   const auto profile = [](double v) -> Profile {
     if (v <= length) return {radius, v, 0, 1};
     const Profile p = unit_circle((v - length) / radius);
     return {radius * p.radius, length + radius * p.z, p.dradius, p.dz};
   };
-  Surface surface = revolved(profile, -margin, top);
+  AnalyticSurface surface = revolved(profile, -margin, top);
   surface.across = [](UV at) { return at.v / top; };
   surface.plane = [](UV at) {  // conformal on both parts, and they fit
     const double up = (at.v - length) / radius;

@@ -46,7 +46,8 @@ void walk_arc(const Arc& arc, const StepLength& length, double step, int fewest,
 
 }  // namespace
 
-std::vector<std::vector<UV>> walk_rims(const Surface& surface, const StepLength& length, double step) {
+std::vector<std::vector<UV>> walk_rims(const AnalyticSurface& surface, const StepLength& length,
+                                       double step) {
   std::vector<std::vector<UV>> rims;
   for (const Rim& rim : surface.rims) {
     auto& points = rims.emplace_back();
@@ -55,7 +56,7 @@ std::vector<std::vector<UV>> walk_rims(const Surface& surface, const StepLength&
   return rims;
 }
 
-RimDistance::RimDistance(const Surface& surface, const StepLength& length, double reach,
+RimDistance::RimDistance(const AnalyticSurface& surface, const StepLength& length, double reach,
                          std::function<Point(UV)> place)
     : place_(std::move(place)), curve_(reach, 0) {
   const auto rims = walk_rims(surface, length, 1.0 / 8);

@@ -15,14 +15,15 @@ using StepLength = std::function<double(UV from, UV to)>;
 
 // Points on the rims, one list a rim, in order. Steps are equal along each arc and as close to `step`
 // spacings as a whole number allows; the ends of arcs, which are corners, are points.
-std::vector<std::vector<UV>> walk_rims(const Surface& surface, const StepLength& length, double step);
+std::vector<std::vector<UV>> walk_rims(const AnalyticSurface& surface, const StepLength& length, double step);
 
 // Finds out whether a place is within half a spacing of a boundary curve. The spacing may differ along a
 // direction and across it.
 class RimDistance {
  public:
   // `place` lays the chart out where distances are taken; `reach` is half the largest spacing there.
-  RimDistance(const Surface& surface, const StepLength& length, double reach, std::function<Point(UV)> place);
+  RimDistance(const AnalyticSurface& surface, const StepLength& length, double reach,
+              std::function<Point(UV)> place);
 
   bool within_half_spacing(UV at, double spacing) const {
     return within_half(at, spacing, spacing, {1, 0, 0});

@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-void set_sheet(Surface& surface, const Box& sheet, double margin) {
+void set_sheet(AnalyticSurface& surface, const Box& sheet, double margin) {
   surface.box = grown(sheet, margin);
   surface.depth = [box = surface.box](UV at) { return depth_in(box, at); };
   surface.plane = [](UV at) { return at; };
@@ -20,9 +20,9 @@ void set_sheet(Surface& surface, const Box& sheet, double margin) {
 }  // namespace
 
 // Half of a cylinder about the y axis, open below.
-Surface half_tunnel(double margin) {
+AnalyticSurface half_tunnel(double margin) {
   constexpr double radius = 0.35, length = 1.2;
-  Surface surface;
+  AnalyticSurface surface;
   surface.at = [](UV at) {
     const double angle = at.u / radius;
     return Point{-radius * std::cos(angle), at.v, radius * std::sin(angle)};
@@ -38,11 +38,11 @@ Surface half_tunnel(double margin) {
 
 // A scroll: a strip rolled one and a half times along a logarithmic spiral about the y axis,
 // r = r0 exp(k angle); its arc length has a closed form, s = (r - r0) sqrt(1 + k^2) / k.
-Surface curled_strip(double margin) {
+AnalyticSurface curled_strip(double margin) {
   constexpr double r0 = 0.3, k = 0.15, width = 0.8;
   static const double slope = k / std::hypot(1, k);
   static const double length = r0 * std::expm1(k * 3 * pi) / slope;
-  Surface surface;
+  AnalyticSurface surface;
   surface.at = [](UV at) {
     const double r = r0 + at.u * slope, angle = std::log(r / r0) / k;
     return Point{r * std::cos(angle), at.v, r * std::sin(angle)};
@@ -58,10 +58,10 @@ Surface curled_strip(double margin) {
 }
 
 // An open cylinder about the z axis. Its lower rim counts as the outer one.
-Surface pipe(double margin) {
+AnalyticSurface pipe(double margin) {
   constexpr double radius = 0.3, length = 1.2;
   const double low = -margin, high = length + margin, girth = 2 * pi * radius;
-  Surface surface;
+  AnalyticSurface surface;
   surface.at = [](UV at) {
     const double angle = at.u / radius;
     return Point{radius * std::cos(angle), radius * std::sin(angle), at.v};

@@ -41,7 +41,7 @@ DensityChange density_change(Sampling sampling) {
 
 // The spacing that gives about n points: n = area / spacing^2 + 0.5 rim / spacing, areas and lengths weighted
 // by density. Half of the rim's own share of area lies outside the surface, hence the second term.
-double spacing_for(const SampleOptions& options, const Surface& surface) {
+double spacing_for(const SampleOptions& options, const AnalyticSurface& surface) {
   const Density unit{density_change(options.sampling), 1};
   const double area = measure(surface, unit).weighted_area, n = static_cast<double>(options.n);
   if (options.sampling == Sampling::Cropped || options.sampling == Sampling::Random)
@@ -58,7 +58,7 @@ double spacing_for(const SampleOptions& options, const Surface& surface) {
   return 2 * area / (std::sqrt(b * b + 4 * area * n) - b);
 }
 
-Draft draw(const SampleOptions& options, const Surface& surface, double spacing, const Run& run) {
+Draft draw(const SampleOptions& options, const AnalyticSurface& surface, double spacing, const Run& run) {
   switch (options.sampling) {
     case Sampling::BlueNoise:
     case Sampling::SmoothDensity:
@@ -73,12 +73,12 @@ Draft draw(const SampleOptions& options, const Surface& surface, double spacing,
 }
 
 // Whether the draft has the loops of the surface: a coarse crop may tear the patch or lose a hole.
-bool is_whole(const Draft& draft, const Surface& surface) {
+bool is_whole(const Draft& draft, const AnalyticSurface& surface) {
   return draft.loops.size() == surface.rims.size();
 }
 
 // A crop that comes out whole, from the next seeds where need be.
-Draft draw_whole(const SampleOptions& options, const Surface& surface, double spacing, Run run) {
+Draft draw_whole(const SampleOptions& options, const AnalyticSurface& surface, double spacing, Run run) {
   constexpr int tries = 12;
   for (int i = 0; i < tries; ++i) {
     Draft draft = draw(options, surface, spacing, run);
@@ -90,7 +90,7 @@ Draft draw_whole(const SampleOptions& options, const Surface& surface, double sp
 
 // The rims' corners, a crop's ragged edge and whole rows make the count differ from the estimate by a few
 // points: drawn again with a corrected spacing where that matters.
-Draft draw_about_n(const SampleOptions& options, const Surface& surface, const Run& run) {
+Draft draw_about_n(const SampleOptions& options, const AnalyticSurface& surface, const Run& run) {
   constexpr double tolerance = 0.03;
   constexpr int tries = 4;
   const double n = static_cast<double>(options.n);
@@ -153,7 +153,7 @@ Sample finish(Draft draft, const SampleOptions& options, const Run& run) {
 
 Sample sample(const SampleOptions& options, const Run& run) try {
   check(options);
-  const Surface surface = make_surface(options.shape);
+  const AnalyticSurface surface = make_surface(options.shape);
   Draft draft = draw_about_n(options, surface, run);
   check_rims(options, draft);
   return finish(std::move(draft), options, run);

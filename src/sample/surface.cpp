@@ -30,7 +30,7 @@ Box grown(const Box& box, double margin) {
   return {{box.low.u - margin, box.low.v - margin}, {box.high.u + margin, box.high.v + margin}};
 }
 
-Surface make_surface(Shape shape, double margin) {
+AnalyticSurface make_surface(Shape shape, double margin) {
   switch (shape) {
     case Shape::FlatDisc: return flat_disc(margin);
     case Shape::BumpySquare: return bumpy_square(margin);

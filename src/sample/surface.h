@@ -17,7 +17,7 @@ struct Box {
 };
 
 struct Tangents {
-  Point u, v;  // the derivatives of Surface::at
+  Point u, v;  // the derivatives of AnalyticSurface::at
 
   double area() const { return norm(cross(u, v)); }  // of the surface, for a unit of the chart
 };
@@ -36,7 +36,7 @@ enum class Rows {
 // What bounds the box at v = low and v = high.
 enum class End { Open, Pole, Periodic };
 
-struct Surface {
+struct AnalyticSurface {
   std::function<Point(UV)> at;
   std::function<Tangents(UV)> tangents;
   // Positive where the surface is. Outside it changes by at most one per unit of the chart, so that a cell
@@ -58,21 +58,21 @@ struct Surface {
 
 // The surface of that name, about one unit in size. A margin > 0 moves each boundary outwards by as much in
 // units of length (holes are filled): the larger patch that a crop starts from.
-Surface make_surface(Shape shape, double margin = 0);
+AnalyticSurface make_surface(Shape shape, double margin = 0);
 
-Surface flat_disc(double margin);
-Surface bumpy_square(double margin);
-Surface wavy_saddle(double margin);
-Surface square_with_holes(double margin);
-Surface half_tunnel(double margin);
-Surface curled_strip(double margin);
-Surface pipe(double margin);
-Surface hemisphere_cap(double margin);
-Surface sphere_minus_cap(double margin);
-Surface closed_sphere();
-Surface capped_tube(double margin);
-Surface torus_minus_cap(double margin);
-Surface moebius_strip(double margin);
+AnalyticSurface flat_disc(double margin);
+AnalyticSurface bumpy_square(double margin);
+AnalyticSurface wavy_saddle(double margin);
+AnalyticSurface square_with_holes(double margin);
+AnalyticSurface half_tunnel(double margin);
+AnalyticSurface curled_strip(double margin);
+AnalyticSurface pipe(double margin);
+AnalyticSurface hemisphere_cap(double margin);
+AnalyticSurface sphere_minus_cap(double margin);
+AnalyticSurface closed_sphere();
+AnalyticSurface capped_tube(double margin);
+AnalyticSurface torus_minus_cap(double margin);
+AnalyticSurface moebius_strip(double margin);
 
 // The pieces that surfaces are made of.
 Arc straight(UV from, UV to);

@@ -22,8 +22,8 @@ UV conformal(UV at) {
 
 }  // namespace
 
-Surface torus_minus_cap(double margin) {
-  Surface surface;
+AnalyticSurface torus_minus_cap(double margin) {
+  AnalyticSurface surface;
   surface.at = [](UV at) {
     const double tube = at.v / minor, r = major + minor * std::cos(tube);
     return Point{r * std::cos(at.u), r * std::sin(at.u), minor * std::sin(tube)};

@@ -12,13 +12,13 @@
 namespace rimline {
 namespace {
 
-Point times(const SymmetricMatrix& m, Point p) {
+Point times(const Covariance& m, Point p) {
   return {m.xx * p.x + m.xy * p.y + m.xz * p.z, m.xy * p.x + m.yy * p.y + m.yz * p.z,
           m.xz * p.x + m.yz * p.y + m.zz * p.z};
 }
 
 // The matrix with these eigenvalues on axes turned by the three angles.
-SymmetricMatrix with_eigenvalues(double a, double b, double c, double turn) {
+Covariance with_eigenvalues(double a, double b, double c, double turn) {
   const auto v = shapes::turned({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, turn, 2 * turn, 3 * turn);
   const auto sum = [&](double Point::*i, double Point::*j) {
     return a * v[0].*i * v[0].*j + b * v[1].*i * v[1].*j + c * v[2].*i * v[2].*j;
@@ -28,7 +28,7 @@ SymmetricMatrix with_eigenvalues(double a, double b, double c, double turn) {
 }
 
 // The definition: m v = lambda v, orthonormal, ascending; errors relative to the largest eigenvalue.
-double error(const SymmetricMatrix& m) {
+double error(const Covariance& m) {
   const PrincipalAxes axes = principal_axes(m);
   const double size = std::max(std::abs(axes.lambda[0]), std::abs(axes.lambda[2]));
   double worst = 0;

@@ -400,6 +400,30 @@ TEST_CASE("every mesh format holds the same triangles") {
   CHECK(read_file(folder / "mesh.stl").size() == 84 + 50 * count);
 }
 
+TEST_CASE("every format of loops holds the same number of points") {
+  const Folder folder;
+  const std::string input = sample(folder, "flat-disc", 500);
+  for (const std::string ending : {"json", "geojson", "wkt", "csv", "ply", "obj", "dxf"}) {
+    require_done(rimline::test::rimline({"boundary", input, "--loops", folder / ("loops." + ending), "-q"}));
+  }
+  std::size_t count = 0;
+  const json loops = json::parse(read_file(folder / "loops.json")).at("loops");
+  REQUIRE(loops.size() == 1);
+  count = loops[0]["points"].size();
+  const auto times = [&](const std::string& file, const std::string& part) {
+    const std::string text = read_file(folder / file);
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+  };
+  CHECK(times("loops.wkt", ",") == count);  // closed: the first is there again
+  CHECK(times("loops.csv", "\n") >= count + 1);
+  CHECK(times("loops.obj", "\nv ") + times("loops.obj", "#") >= count);
+  CHECK(read_file(folder / "loops.ply").find(fmt::format("element edge {}\n", count)) != std::string::npos);
+  CHECK(json::parse(read_file(folder / "loops.geojson")).at("type") == "FeatureCollection");
+  CHECK(times("loops.dxf", "VERTEX") + times("loops.dxf", "LWPOLYLINE") > 0);
+}
+
 TEST_CASE("the report holds what its contract lists, with the options as they were used") {
   const Folder folder;
   const std::string input = sample(folder, "flat-disc", 1000);
@@ -462,6 +486,7 @@ TEST_CASE("info counts points, properties, duplicates and rows that are not fini
         info.out.substr(at + 1 + label.size(), info.out.find('\n', at + 1) - at - 1 - label.size());
     return text.substr(text.find_first_not_of(' '));
   };
+  CHECK(line("format") == "PLY, binary little-endian");
   CHECK(line("points") == "902");
   CHECK(line("duplicates") == "1");
   CHECK(line("not finite") == "1");

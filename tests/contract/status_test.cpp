@@ -19,7 +19,9 @@ bool contains(const std::string& text, const std::string& part) {
 
 std::string sample(const Folder& folder, const std::string& shape, const std::string& n) {
   const std::string path = folder / "sample.ply";
-  REQUIRE(rimline::test::rimline({"sample", shape, "-n", n, "-o", path, "--quiet"}).status == 0);
+  const Finished done =
+      rimline::test::rimline({"sample", shape, "-n", n, "--sampling", "random", "-o", path, "--quiet"});
+  REQUIRE(done.status == 0);
   return path;
 }
 
@@ -93,12 +95,32 @@ TEST_CASE("status 3: points that no chain of neighbours joins to the loop are co
   const Folder folder;
   write_file(folder / "two.xyz", grid(12, 0) + grid(12, 1000));
   write_file(folder / "loops.json", rim_of_grid(12));
-  const Finished refused = rimline::test::rimline(
-      {"reconstruct", folder / "two.xyz", "-o", folder / "mesh.ply", "--use-loops", folder / "loops.json"});
+  const Finished refused =
+<<<<<<< HEAD
+      rimline::test::rimline({"reconstruct", folder / "two.xyz", "-o", folder / "mesh.ply", "--preset",
+                              "paper", "--use-loops", folder / "loops.json"});
+=======
+      rimline::test::rimline({"reconstruct", folder / "two.xyz", "-o", folder / "mesh.ply", "--use-loops",
+                              folder / "loops.json", "--preset", "paper"});
+>>>>>>> cli
   CAPTURE(refused.err);
   CHECK(refused.status == 3);
   CHECK(contains(refused.err, "(144 points: 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, ...)"));
   CHECK(folder.names() == Names{"loops.json", "two.xyz"});
+}
+
+TEST_CASE("a closed surface has no loops, which is an answer to boundary and status 3 to reconstruct") {
+  const Folder folder;
+  const std::string input = sample(folder, "closed-sphere", "2000");
+  const Finished none = rimline::test::rimline({"boundary", input, "--loops", folder / "loops.json"});
+  CHECK(none.status == 0);
+  CHECK(nlohmann::json::parse(read_file(folder / "loops.json")).at("loops").empty());
+  CHECK(contains(none.out, "no loop"));
+  const Finished refused = rimline::test::rimline({"reconstruct", input, "-o", folder / "mesh.ply"});
+  CAPTURE(refused.err);
+  CHECK(refused.status == 3);
+  CHECK(contains(refused.err, "closed"));
+  CHECK(folder.names() == Names{"loops.json", "sample.ply"});
 }
 
 TEST_CASE("status 4: a folder that is not there, or that takes no files") {

@@ -106,7 +106,7 @@ TEST_CASE("on an uneven flat sheet the map with local Voronoi weights is the she
 TEST_CASE("neighbours behind the tangent plane are on another sheet and not in the star") {
   Lattice lower = flat_lattice(15, 0.2);
   std::vector<Point> points = lower.points;
-  for (const Point& p : lower.points) points.push_back({p.x + 0.3, p.y + 0.2, p.z + 1.6});
+  for (const Point& p : lower.points) points.push_back({p.x + 0.3, p.y + 0.2, p.z + 2.2});
   const Run run;
   const Stars stars = find_stars(points, find_neighbours(points, 30, run), {}, {}, run);
   const Index sheet = static_cast<Index>(lower.points.size());
@@ -124,7 +124,7 @@ TEST_CASE("points of different labels do not see each other") {
   const Run run;
   const Stars stars = find_stars(lattice.points, find_neighbours(lattice.points, 20, run), label, {}, run);
   for (std::size_t i = 0; i < label.size(); ++i) {
-    for (const Index j : stars.of(static_cast<Index>(i))) CHECK(label[i] == label[j]);
+    for (const Index j : stars.of(static_cast<Index>(i))) CHECK((j == none || label[i] == label[j]));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <set>
+#include <string>
 
 #include "map/embed.h"
 #include "rimline/arrange.h"
@@ -107,6 +108,26 @@ TEST_CASE("the bytes of mesh and map do not depend on the number of threads") {
   CHECK(patches[0].triangles == patches[1].triangles);
   REQUIRE(patches[0].uv.size() == patches[1].uv.size());
   CHECK(std::memcmp(patches[0].uv.data(), patches[1].uv.data(), patches[0].uv.size() * sizeof(UV)) == 0);
+}
+
+TEST_CASE("a handle and a one-sided strip are recognized, whatever the sampling and the seed") {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const Sampling sampling : {Sampling::BlueNoise, Sampling::Random}) {
+      for (const Shape shape : {Shape::TorusMinusCap, Shape::MoebiusStrip}) {
+        Run run;
+        run.seed = seed;
+        const Case c = make_case(shape, sampling, 2000, run);
+        try {
+          refine_patch(c.arrangement.points, c.neighbours, c.loops, {}, run);
+          FAIL("nothing was thrown");
+        } catch (const Error& error) {
+          CHECK(error.code() == ErrorCode::NotADisc);
+          const char* reason = shape == Shape::TorusMinusCap ? "1 handle" : "one-sided";
+          CHECK(std::string(error.what()).find(reason) != std::string::npos);
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("points far from the loop's component are named as unreachable") {

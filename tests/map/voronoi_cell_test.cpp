@@ -12,7 +12,9 @@ namespace {
 
 std::map<Index, double> weights_of(const VoronoiCell& cell) {
   std::map<Index, double> weights;
-  cell.edges([&](Index id, double weight) { weights[id] += weight; });
+  cell.edges([&](Index id, double weight) {
+    if (id != none) weights[id] += weight;
+  });
   return weights;
 }
 

@@ -36,7 +36,7 @@ TEST_CASE("the true boundary of a crop is the points that lost a Delaunay neighb
     run.seed = seed;
     const double spacing = 0.12;
     const Draft crop = cropped(Shape::FlatDisc, spacing, run, 300);
-    Surface larger = flat_disc(3 * spacing);
+    AnalyticSurface larger = flat_disc(3 * spacing);
     larger.rims.clear();
     const auto all = blue_noise(larger, {DensityChange::None, spacing}, run, 300).draft.points;
     REQUIRE(all.size() > crop.points.size());
@@ -81,7 +81,7 @@ TEST_CASE("a crop keeps nearly all points inside and none outside") {
   Run run;
   const double spacing = 0.05;
   const Draft crop = cropped(Shape::FlatDisc, spacing, run, 1300);
-  Surface larger = flat_disc(3 * spacing);
+  AnalyticSurface larger = flat_disc(3 * spacing);
   larger.rims.clear();
   const auto all = blue_noise(larger, {DensityChange::None, spacing}, run, 1300).draft.points;
   const auto inside = std::count_if(all.begin(), all.end(), [](const Point& p) { return norm(p) < 1; });

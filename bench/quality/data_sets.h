@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cases of a data folder: NAME.ply with a property `boundary` where the truth is known, beside it
+// NAME.truth.ply (the mesh the points come from, the same vertices), NAME.flipped.ply (its triangles after
+// flips in 3D) or NAME.loops.json (the points in order along the loop they were sampled on).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "quality/case.h"
+
+namespace rimline::bench {
+
+// Ascending by name.
+std::vector<CaseName> data_cases(const std::string& folder);
+// Throws rimline::Error{CannotRead}.
+Case read_data_set(const std::string& folder, const CaseName& name);
+
+}  // namespace rimline::bench

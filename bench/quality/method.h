@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is measured: a way from points to a boundary, a mesh, or both.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "quality/case.h"
+#include "quality/loop_score.h"
+
+namespace rimline::bench {
+
+struct Outcome {
+  std::string error;       // why there is no answer; empty where there is one
+  std::string mesh_error;  // why there is no mesh though one was wanted
+  bool has_loops = false;
+  LoopIds loops;
+  std::vector<Index> boundary;  // ids of the boundary points, each once, where there are no loops
+  std::vector<Triangle> mesh;
+  std::vector<UV> uv;
+  std::vector<float> probability;   // per point, or empty
+  std::vector<std::uint8_t> label;  // per point, or empty
+  double seconds = 0;
+};
+
+struct Method {
+  std::string id;     // as --methods takes it
+  std::string title;  // as the tables show it
+  bool finds_boundary = false, makes_mesh = false;
+  bool is_default = false;  // gets all seeds of the plan; others fewer
+  std::function<Outcome(const Case&, bool want_mesh)> run;
+};
+
+// The library's default and presets.
+std::vector<Method> our_methods();
+// The steps of the default: "arcs", "greedy", "exact". docs/quality.md, "What the search adds"
+std::vector<Method> stage_methods();
+// Those whose program was built.
+std::vector<Method> peer_methods();
+
+}  // namespace rimline::bench

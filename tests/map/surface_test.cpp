@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+#include "map/pinches.h"
+#include "rimline/refine.h"
+#include "rimline/sample.h"
+
+namespace rimline {
+namespace {
+
+using Edges = std::set<std::pair<Index, Index>>;
+
+Edges edges_of(const std::vector<Loop>& loops) {
+  Edges edges;
+  for (const Loop& loop : loops) {
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      edges.emplace(loop.points[i], loop.points[(i + 1) % loop.points.size()]);
+    }
+  }
+  return edges;
+}
+
+// Directed edges without their opposite; none may occur twice.
+Edges open_edges(const std::vector<Triangle>& triangles) {
+  Edges all;
+  for (const Triangle& t : triangles) {
+    for (int c = 0; c < 3; ++c) REQUIRE(all.emplace(t[c], t[c == 2 ? 0 : c + 1]).second);
+  }
+  Edges open;
+  for (const auto& [a, b] : all) {
+    if (all.count({b, a}) == 0) open.emplace(a, b);
+  }
+  return open;
+}
+
+// A bumpy sheet of side * side points, not quite regular.
+std::vector<Point> sheet(int side, Point offset) {
+  std::vector<Point> points;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      points.push_back(offset + Point{x + 0.1 * std::sin(3.0 * x + y), y + 0.1 * std::cos(2.0 * y - x),
+                                      0.2 * std::sin(x + 0.5 * y)});
+    }
+  }
+  return points;
+}
+
+Loop border(int side, Index first) {
+  Loop loop;
+  for (Index i = 0; i + 1 < side; ++i) loop.points.push_back(first + i);
+  for (Index i = 0; i + 1 < side; ++i) loop.points.push_back(first + side - 1 + i * side);
+  for (Index i = side - 1; i > 0; --i) loop.points.push_back(first + (side - 1) * side + i);
+  for (Index i = side - 1; i > 0; --i) loop.points.push_back(first + i * side);
+  return loop;
+}
+
+// The rim of a hole over the lattice squares from (x, y) to (x + size, y + size), whose inner points must be
+// few: clockwise, the surface on its left.
+Loop square_hole(int side, Index x, Index y, Index size) {
+  Loop loop;
+  loop.kind = LoopKind::Hole;
+  const auto id = [&](Index u, Index v) { return v * side + u; };
+  for (Index i = 0; i < size; ++i) loop.points.push_back(id(x, y + i));
+  for (Index i = 0; i < size; ++i) loop.points.push_back(id(x + i, y + size));
+  for (Index i = size; i > 0; --i) loop.points.push_back(id(x + size, y + i));
+  for (Index i = size; i > 0; --i) loop.points.push_back(id(x + i, y));
+  return loop;
+}
+
+}  // namespace
+
+TEST_CASE("two sheets become two patches, side by side in uv") {
+  std::vector<Point> points = sheet(12, {0, 0, 0});
+  const std::vector<Point> other = sheet(9, {30, 0, 0});
+  points.insert(points.end(), other.begin(), other.end());
+  const std::vector<Loop> loops{border(12, 0), border(9, 144)};
+  const Run run;
+  const Surface surface = refine_surface(points, find_neighbours(points, 20, run), loops, {}, {}, run);
+  REQUIRE(surface.patches.size() == 2);
+  CHECK(surface.left_out.empty());
+  CHECK(open_edges(surface.triangles) == edges_of(loops));
+  double most = -10, least = 10;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    CHECK(surface.patch[i] == (i < 144 ? 0 : 1));
+    if (i < 144) most = std::max(most, surface.uv[i].u);
+    if (i >= 144) least = std::min(least, surface.uv[i].u);
+  }
+  CHECK(most < least);
+}
+
+TEST_CASE("points that hang together with no loop are left out and named") {
+  std::vector<Point> points = sheet(10, {0, 0, 0});
+  for (const Point& p : sheet(5, {40, 0, 0})) points.push_back(p);
+  const Run run;
+  const Surface surface =
+      refine_surface(points, find_neighbours(points, 16, run), {border(10, 0)}, {}, {}, run);
+  REQUIRE(surface.left_out.size() == 25);
+  CHECK(surface.left_out.front() == 100);
+  CHECK(std::isnan(surface.uv[110].u));
+  CHECK(surface.patch[110] == none);
+}
+
+TEST_CASE("holes that touch each other or the outline in a point stay edge for edge") {
+  const std::vector<Point> points = sheet(14, {0, 0, 0});
+  const Run run;
+  for (const bool at_outline : {false, true}) {
+    CAPTURE(at_outline);
+    std::vector<Loop> loops{border(14, 0), square_hole(14, 4, 4, 1), square_hole(14, 5, 5, 1)};
+    if (at_outline) {  // a diamond that has its lowest corner on the border
+      loops.pop_back();
+      Loop diamond;
+      diamond.kind = LoopKind::Hole;
+      diamond.points = {10, 14 + 9, 28 + 10, 14 + 11};
+      loops.push_back(diamond);
+    }
+    std::vector<Point> kept = points;
+    if (at_outline) kept[14 + 10] = {10, -3, 9};  // the diamond's centre is no point of the sheet
+    const Surface surface = refine_surface(kept, find_neighbours(kept, 20, run), loops, {}, {}, run);
+    REQUIRE(surface.patches.size() == 1);
+    CHECK(open_edges(surface.triangles) == edges_of(loops));
+  }
+}
+
+TEST_CASE(
+    "where loops touch, the outline runs from one into the other and a copy stands for the second pass") {
+  Loop outer, hole;
+  outer.points = {0, 1, 2, 3, 4};
+  hole.points = {7, 2, 6};
+  hole.kind = LoopKind::Hole;
+  const Separated separated = separate_pinches({outer, hole}, 10);
+  REQUIRE(separated.loops.size() == 1);
+  CHECK(separated.original == std::vector<Index>{2});
+  CHECK(separated.loops[0].points == std::vector<Index>{0, 1, 2, 6, 7, 10, 3, 4});
+  CHECK(separated.loops[0].kind == LoopKind::Outer);
+  hole.kind = LoopKind::Outer;
+  const Separated lobes = separate_pinches({outer, hole}, 10);
+  REQUIRE(lobes.loops.size() == 2);
+  CHECK(lobes.loops[0].points == outer.points);
+  CHECK(lobes.loops[1].points == std::vector<Index>{7, 10, 6});
+}
+
+TEST_CASE("no loop at all is an error, one patch that fails is one too unless partial results are allowed") {
+  std::vector<Point> points = sheet(10, {100, 0, 0});
+  const Run run;
+  CHECK_THROWS_AS(refine_surface(points, find_neighbours(points, 16, run), {}, {}, {}, run), Error);
+  const Sample strip = sample({Shape::MoebiusStrip, Sampling::BlueNoise, 1500, 0}, run);
+  std::vector<Loop> loops{border(10, 0)};
+  loops.push_back(strip.loops.front());
+  for (Index& v : loops.back().points) v += 100;
+  points.insert(points.end(), strip.points.begin(), strip.points.end());
+  const Neighbours neighbours = find_neighbours(points, 24, run);
+  CHECK_THROWS_AS(refine_surface(points, neighbours, loops, {}, {}, run), Error);
+  RefineOptions partial;
+  partial.allow_partial = true;
+  const Surface surface = refine_surface(points, neighbours, loops, {}, partial, run);
+  REQUIRE(surface.patches.size() == 2);
+  CHECK(surface.patches[0].failure.empty());
+  CHECK(surface.patches[1].failure.find("one-sided") != std::string::npos);
+  CHECK(open_edges(surface.triangles) == edges_of({border(10, 0)}));
+}
+
+}  // namespace rimline

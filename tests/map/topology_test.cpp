@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/topology.h"
+
+#include <doctest/doctest.h>
+
+#include "rimline/sample.h"
+
+namespace rimline {
+namespace {
+
+Topology topology_of(Shape shape, std::uint64_t seed) {
+  Run run;
+  run.seed = seed;
+  const Sample s = sample({shape, Sampling::Random, 1500, 0}, run);
+  return find_topology(find_stars(s.points, find_neighbours(s.points, 24, run), {}, {}, run));
+}
+
+}  // namespace
+
+TEST_CASE("discs, annuli and spheres have no handle and two sides") {
+  for (const Shape shape : {Shape::FlatDisc, Shape::HalfTunnel, Shape::Pipe, Shape::SquareWithHoles,
+                            Shape::CappedTube, Shape::CurledStrip, Shape::ClosedSphere}) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      CAPTURE(name(shape));
+      const Topology topology = topology_of(shape, seed);
+      CHECK(topology.orientable);
+      CHECK(topology.genus == 0);
+      CHECK(topology.coverage > 0.99);
+    }
+  }
+}
+
+TEST_CASE("a torus minus a cap has one handle, a Moebius strip one side") {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    CHECK(topology_of(Shape::TorusMinusCap, seed).genus == 1);
+    CHECK(topology_of(Shape::TorusMinusCap, seed).orientable);
+    CHECK_FALSE(topology_of(Shape::MoebiusStrip, seed).orientable);
+  }
+}
+
+}  // namespace rimline
