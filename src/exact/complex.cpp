@@ -16,11 +16,13 @@ double circumradius(Point a, Point b, Point c) {
 void Complex::add(const Triangle& triangle) {
   for (const Index v : triangle) stars_[v].push_back(size());
   triangles_.push_back(triangle);
+  radii_.push_back(circumradius(points_[triangle[0]], points_[triangle[1]], points_[triangle[2]]));
 }
 
 void Complex::keep_only(const std::vector<std::uint8_t>& kept) {
   const std::vector<Triangle> before = std::move(triangles_);
   triangles_.clear();
+  radii_.clear();
   for (auto& star : stars_) star.clear();
   for (std::size_t t = 0; t < before.size(); ++t) {
     if (kept[t]) add(before[t]);
@@ -50,11 +52,6 @@ Index Complex::apex(Index triangle, Index a, Index b) const {
     if (v != a && v != b) return v;
   }
   return none;
-}
-
-double Complex::radius(Index t) const {
-  const Triangle& x = triangles_[t];
-  return circumradius(points_[x[0]], points_[x[1]], points_[x[2]]);
 }
 
 bool Complex::can_add(const Triangle& triangle) const {

@@ -44,7 +44,7 @@ class Complex {
   Index across(Index triangle, Index a, Index b) const;
   // The vertex of the triangle that is neither a nor b.
   Index apex(Index triangle, Index a, Index b) const;
-  double radius(Index t) const;
+  double radius(Index t) const { return radii_[t]; }  // of its circumcircle
   void flip(Index t) { std::swap(triangles_[t][1], triangles_[t][2]); }
 
  private:
@@ -56,6 +56,7 @@ class Complex {
   Points points_;
   const std::vector<Frame>& frames_;
   std::vector<Triangle> triangles_;
+  std::vector<double> radii_;
   std::vector<boost::container::small_vector<Index, 8>> stars_;
 };
 

@@ -19,10 +19,13 @@ const LocalSize& LocalSizes::at(Index vertex) {
     size.median = neighbours_.distances_of(vertex)[0];
     return size;
   }
-  std::sort(radii_.begin(), radii_.end());
   const std::size_t n = radii_.size();
-  size.median = radii_[n / 2];
-  size.spread = (radii_[3 * n / 4] - radii_[n / 4]) / size.median;
+  const auto at = [&](std::size_t rank) { return radii_.begin() + rank; };
+  std::nth_element(at(0), at(n / 2), radii_.end());
+  std::nth_element(at(0), at(n / 4), at(n / 2));
+  std::nth_element(at(n / 2), at(3 * n / 4), radii_.end());
+  size.median = *at(n / 2);
+  size.spread = (*at(3 * n / 4) - *at(n / 4)) / size.median;
   return size;
 }
 

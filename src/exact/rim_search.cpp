@@ -50,7 +50,7 @@ std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
         least += m / 3;
         (void)p;
       }
-      if (complex.radius(t) < 1.3 * least) continue;
+      if (complex.radius(t) < 1.4 * least) continue;
     }
     const double ratio = sizes.log_ratio(x);
     if (rim ? ratio > doubtful : ratio > far_from_usual + sizes.spread(x)) push(t, 1);
