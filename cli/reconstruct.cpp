@@ -11,7 +11,7 @@ namespace {
 
 void run_reconstruct(const MethodArguments& arguments) {
   const auto outputs = outputs_of(arguments, {"--output", arguments.output, {}, true, check_mesh_path});
-
+  check_outputs(outputs);
   Session session(arguments.common);
   Inputs in = read_inputs(arguments, session.run());
   const ReconstructResult result = reconstruct(in.cloud.points, arguments.options(), session.run(), in.given);

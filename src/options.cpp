@@ -27,6 +27,16 @@ const char* name(LoopPolicy policy) {
   return "?";
 }
 
+const char* name(Domain domain) {
+  switch (domain) {
+    case Domain::Disc: return "disc";
+    case Domain::Square: return "square";
+    case Domain::Rectangle: return "rectangle";
+    case Domain::Free: return "free";
+  }
+  return "?";
+}
+
 Options preset_options(Preset preset) {
   Options options;
   options.preset = preset;

@@ -64,6 +64,10 @@ class Pipeline {
 
  private:
   void check_given() const {
+    if (is_paper() && options_.map.domain != Domain::Disc) {
+      throw Error(ErrorCode::BadOption,
+                  "the paper's presets map to the disc alone; take the preset default for others");
+    }
     if (!given_.normals.empty() && given_.normals.size() != input_.size()) {
       throw Error(ErrorCode::BadOption, "there must be one normal per point, or none");
     }
@@ -237,6 +241,7 @@ class Pipeline {
     clock_.enter(Stage::Refine);
     check_loops_bound_something();
     RefineOptions refine;
+    refine.domain = options_.map.domain;
     refine.rounds = options_.mesh.refine_rounds;
     refine.residual = options_.map.residual;
     refine.allow_partial = options_.mesh.allow_partial;
@@ -300,8 +305,16 @@ class Pipeline {
   // counter-clockwise in uv, and loops keep the surface on their left.
   template <class Turned>
   void mirror(const Turned& turned) {
+    // About the axis of the disc, or about the middle of a box that stands on the axis.
+    const bool box = options_.map.domain == Domain::Square || options_.map.domain == Domain::Rectangle;
+    double low = 0, high = 0;
+    for (Index i = 0; box && i < static_cast<Index>(uv_.size()); ++i) {
+      if (!turned(i)) continue;
+      low = std::min(low, uv_[i].v);
+      high = std::max(high, uv_[i].v);
+    }
     for (Index i = 0; i < static_cast<Index>(uv_.size()); ++i) {
-      if (turned(i)) uv_[i].v = -uv_[i].v;
+      if (turned(i)) uv_[i].v = low + high - uv_[i].v;
     }
     for (Loop& loop : loops_) {
       if (turned(loop.points.front())) std::reverse(loop.points.begin() + 1, loop.points.end());

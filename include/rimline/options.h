@@ -64,15 +64,27 @@ const char* name(LoopPolicy policy);
 struct ExactLoopOptions {
   LoopPolicy loop_policy = LoopPolicy::All;
   int min_loop = 6;              // points of a loop that is returned, at least 3
-  double min_probability = 0.5;  // of a loop that is returned
+  double min_probability = 0.4;  // of a loop that is returned; noise of half a spacing leaves about 0.5
   int rim_population = 12;       // chromosomes per group of doubtful triangles
   int rim_generations = 30;      // at most; 0 decides each triangle by its own size
 };
 
+// Where a patch is mapped to.
+enum class Domain {
+  Disc,       // the unit disc, the outer loop on the circle by chord length (section 5)
+  Square,     // the unit square; its sides bulge by a thousandth, so that no triangle there is flat
+  Rectangle,  // of width 1, its height from the lengths of the loop's sides; bulging likewise
+  Free,       // least squares conformal with a free outline, at the scale of the surface
+};
+
+// "disc", "square", "rectangle", "free".
+const char* name(Domain domain);
+
 // Section 5: from the loop to the plane.
 struct ParameterizeOptions {
-  int map_k = 20;           // neighbours per interior point in eq. (4)  [ours; the paper gives none]
-  double residual = 1e-10;  // of the linear system, relative to its right-hand side
+  Domain domain = Domain::Disc;  // the paper's presets know the disc alone
+  int map_k = 20;                // neighbours per interior point in eq. (4)  [ours; the paper gives none]
+  double residual = 1e-10;       // of the linear system, relative to its right-hand side
 };
 
 // Section 5: from the plane to the mesh.
@@ -139,6 +151,8 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
         "chromosomes per group of doubtful triangles [ours]");
   field("rim_generations", o.exact.rim_generations, 0, 1'000'000,
         "most generations of a group; 0 decides each triangle by its own size [ours]");
+  field("domain", o.map.domain, Domain::Disc, Domain::Disc,
+        "where a patch is mapped to: free is least squares conformal at real scale [ours]");
   field("map_k", o.map.map_k, 3, 1000, "neighbours per interior point in eq. (4) [ours]");
   field("residual", o.map.residual, 1e-15, 1e-2, "relative residual of the solve of eq. (4)");
   field("refine_rounds", o.mesh.refine_rounds, 1, 100,

@@ -9,22 +9,12 @@
 
 #include "rimline/mesh.h"
 #include "rimline/neighbours.h"
+#include "rimline/options.h"
 #include "rimline/points.h"
 #include "rimline/report.h"
 #include "rimline/run.h"
 
 namespace rimline {
-
-// Where a patch is mapped to.
-enum class Domain {
-  Disc,       // the unit disc, the outer loop on the circle by chord length (section 5)
-  Square,     // the unit square; its sides bulge by a thousandth, so that no triangle there is flat
-  Rectangle,  // of width 1, its height from the lengths of the loop's sides; bulging likewise
-  Free,       // least squares conformal with a free outline, at the scale of the surface
-};
-
-// "disc", "square", "rectangle", "free".
-const char* name(Domain domain);
 
 struct RefineOptions {
   Domain domain = Domain::Disc;

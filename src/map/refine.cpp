@@ -242,16 +242,6 @@ class Refiner {
 
 }  // namespace
 
-const char* name(Domain domain) {
-  switch (domain) {
-    case Domain::Disc: return "disc";
-    case Domain::Square: return "square";
-    case Domain::Rectangle: return "rectangle";
-    case Domain::Free: return "free";
-  }
-  return "";
-}
-
 Patch refine_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                    const RefineOptions& options, const Run& run) {
   const Separated outline = separate_pinches(loops, static_cast<Index>(points.size()));

@@ -96,13 +96,8 @@ TEST_CASE("status 3: points that no chain of neighbours joins to the loop are co
   write_file(folder / "two.xyz", grid(12, 0) + grid(12, 1000));
   write_file(folder / "loops.json", rim_of_grid(12));
   const Finished refused =
-<<<<<<< HEAD
-      rimline::test::rimline({"reconstruct", folder / "two.xyz", "-o", folder / "mesh.ply", "--preset",
-                              "paper", "--use-loops", folder / "loops.json"});
-=======
       rimline::test::rimline({"reconstruct", folder / "two.xyz", "-o", folder / "mesh.ply", "--use-loops",
                               folder / "loops.json", "--preset", "paper"});
->>>>>>> cli
   CAPTURE(refused.err);
   CHECK(refused.status == 3);
   CHECK(contains(refused.err, "(144 points: 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, ...)"));

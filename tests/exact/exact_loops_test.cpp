@@ -174,6 +174,19 @@ TEST_CASE("the search makes right a loop at a density step that sizes alone get 
   CHECK(edge_sets(find_loops(truth.points).loops) == edge_sets(truth.loops));
 }
 
+TEST_CASE("the search finds a hole in rows that are far apart") {
+  // A tunnel of rows two units apart along x, one unit along y, with a round hole.
+  std::vector<Point> points;
+  for (int row = 0; row < 16; ++row) {
+    for (int i = 0; i < 30; ++i) points.push_back({2.0 * row, i + 0.5 * (row % 2), 0});
+  }
+  std::erase_if(points, [](Point p) { return std::hypot(p.x - 16, p.y - 15) < 5; });
+  const Found found = find_loops(points);
+  REQUIRE(found.loops.size() == 2);
+  CHECK(found.survey.loops[1].kind == LoopKind::Hole);
+  CHECK(signed_area(points, found.loops[1]) < -75);
+}
+
 TEST_CASE("permuting the input permutes the ids and nothing else") {
   const Sample truth = make(Shape::BumpySquare, Sampling::Random, 2000);
   std::vector<Index> order(truth.points.size());
