@@ -145,12 +145,12 @@ Results measure(Settings& s) {
   }
   results.runs.push_back(std::move(run));
   results.rows = run_plan(s.plan);
-  if (!s.keep.empty()) keep_other_methods(results, read_results(s.keep));
   return results;
 }
 
 void run(Settings& s) {
-  const Results results = s.tables_from.empty() ? measure(s) : read_results(s.tables_from);
+  Results results = s.tables_from.empty() ? measure(s) : read_results(s.tables_from);
+  if (!s.keep.empty()) keep_other_methods(results, read_results(s.keep));
   if (s.tables_from.empty()) {
     if (const auto folder = fs::path(s.out).parent_path(); !folder.empty()) fs::create_directories(folder);
     write_results(s.out, results);

@@ -34,8 +34,9 @@ Titles mesh_methods(const Results& results) {
 std::string sound_cell(const Rows& rows) {
   std::map<std::string, bool> sound;
   for (const Row* row : rows) {
+    const auto found = row->mesh.find("sound");
     bool& all = sound.try_emplace(row->name.shape, true).first->second;
-    all = all && row->mesh.at("sound") == 1;
+    all = all && found != row->mesh.end() && found->second == 1;
   }
   if (sound.empty()) return "-";
   const auto good = std::count_if(sound.begin(), sound.end(), [](const auto& s) { return s.second; });

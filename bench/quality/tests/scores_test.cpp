@@ -5,14 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
+#include "exact/frame.h"
+#include "exact/star.h"
 #include "quality/analytic.h"
+#include "quality/arcs.h"
 #include "quality/crossings.h"
 #include "quality/fans.h"
 #include "quality/loop_score.h"
 #include "quality/mesh_score.h"
+#include "quality/pages.h"
 #include "quality/reliability.h"
+#include "quality/results.h"
 #include "quality/runner.h"
 #include "quality/self_intersections.h"
 #include "quality/sound.h"
@@ -309,6 +315,75 @@ TEST_CASE("a case is drawn alike whichever others are, and rows do not depend on
     CHECK(one[i].name.text() == three[i].name.text());
     CHECK(one[i].loops == three[i].loops);
   }
+}
+
+TEST_CASE("the arcs of a flat grid with a hole close into its outline and the hole's rim") {
+  Case c = grid_case();
+  std::vector<Point> kept;  // without the middle point: the hole has eight points around it
+  std::vector<Index> id_in(c.points.size(), none);
+  for (std::size_t i = 0; i < c.points.size(); ++i) {
+    if (static_cast<Index>(i) == at(3, 3)) continue;
+    id_in[i] = static_cast<Index>(kept.size());
+    kept.push_back(c.points[i] + Point{1e-3 * std::sin(7.0 * i), 1e-3 * std::cos(5.0 * i), 0});
+  }
+  Run run;
+  run.threads = 1;
+  const auto neighbours = find_neighbours(kept, 16, run);
+  const auto spacing = local_spacing(neighbours);
+  const auto frames = exact::fit_frames(kept, neighbours, run);
+  const auto stars = exact::find_stars(kept, neighbours, spacing, frames, run);
+  const LoopIds loops = closed_arcs(mutual_edges(kept, stars, std::vector<double>(kept.size(), 0.55)));
+  std::vector<Index> expected;
+  for (const Index id : outline()) expected.push_back(id_in[id]);
+  CHECK(std::any_of(loops.begin(), loops.end(),
+                    [&](const auto& loop) { return edges_of_loop(loop) == edges_of_loop(expected); }));
+}
+
+TEST_CASE("edges that end nowhere or branch are no closed arc") {
+  const std::vector<Index> square{0, 1, 2, 3};
+  EdgeSet edges = edges_of_loop(square);
+  CHECK(closed_arcs(edges).size() == 1);
+  CHECK(edges_of_loop(closed_arcs(edges)[0]) == edges);
+  EdgeSet branched = edges;
+  branched.push_back(Edge::of(2, 9));
+  CHECK(closed_arcs(make_set(branched)).empty());
+  edges.pop_back();
+  CHECK(closed_arcs(edges).empty());
+}
+
+TEST_CASE("results come back from their file as they were, and rows of other methods can be kept") {
+  Results results;
+  results.titles = {{"default", "rimline"}, {"other", "another"}};
+  results.runs = {{"command", "1.0", "abc", "2026-01-01", 7, {"default", "other"}}};
+  Reliability reliability;
+  reliability.add(0.93, true);
+  reliability.add(0.93, false);
+  const CaseName name{"analytic", "pipe", "grid", 0.2, 1000, 3, 0xfedcba9876543210};
+  results.rows = {{name, "default", "", "no disc", 0.5, {{"points_f1", 0.25}}, {{"euler", -3}}, reliability},
+                  {name, "other", "crashed", "", 0.5, {{"points_f1", 0.5}}, {}, {}}};
+  const std::string path = (std::filesystem::temp_directory_path() / "rimline_quality_results.json").string();
+  write_results(path, results);
+  const Results back = read_results(path);
+  std::filesystem::remove(path);
+  REQUIRE(back.rows.size() == 2);
+  CHECK(back.titles == results.titles);
+  CHECK(back.rows[0].name.text() == name.text());
+  CHECK(back.rows[0].name.seed == name.seed);
+  CHECK(back.rows[0].loops == results.rows[0].loops);
+  CHECK(back.rows[0].mesh == results.rows[0].mesh);
+  CHECK(back.rows[0].mesh_error == "no disc");
+  CHECK(back.rows[0].reliability->bins[9].boundary == 1);
+  CHECK(back.rows[0].reliability->brier() == reliability.brier());
+  CHECK(back.rows[1].error == "crashed");
+  CHECK(quality_page(back) == quality_page(results));
+
+  Results again;
+  again.titles = {{"default", "rimline"}};
+  again.rows = {results.rows[0]};
+  keep_other_methods(again, back);
+  REQUIRE(again.rows.size() == 2);
+  CHECK(again.rows[1].method == "other");
+  CHECK(again.runs[0].methods == std::vector<std::string>{"other"});
 }
 
 }  // namespace
