@@ -245,14 +245,27 @@ class Pipeline {
     refine.rounds = options_.mesh.refine_rounds;
     refine.residual = options_.map.residual;
     refine.allow_partial = options_.mesh.allow_partial;
-    Surface surface = translate_errors(
-        [&] { return refine_surface(arrangement_.points, neighbours_, loops_, surveyed_, refine, run_); });
+    Surface surface = translate_errors([&] {
+      Surface found = refine_surface(arrangement_.points, neighbours_, loops_, surveyed_, refine, run_);
+      if (!given_.loops.empty() && !refine.allow_partial) check_reached(found.left_out);
+      return found;
+    });
     uv_ = std::move(surface.uv);
     triangles_ = std::move(surface.triangles);
     patch_ = std::move(surface.patch);
     report_.has_map = true;
     for (const PatchReport& patch : surface.patches) report_patch(patch);
     orient_patches(surface.patches.size());
+  }
+
+  // Loops made by hand say what the surface is: points that none of them bounds are an error, not a
+  // remainder.
+  static void check_reached(const std::vector<Index>& left_out) {
+    if (left_out.empty()) return;
+    const std::string message = fmt::format(
+        "{} interior points have no chain of neighbours to a given loop; allow_partial leaves them out",
+        left_out.size());
+    throw Error(ErrorCode::UnreachableInterior, message, left_out);
   }
 
   void check_loops_bound_something() const {

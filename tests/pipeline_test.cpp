@@ -138,6 +138,25 @@ TEST_CASE("a loop made by hand is used instead of finding one") {
   CHECK(result.boundary.report.search.starts == 0);
 }
 
+TEST_CASE("points that a loop made by hand does not bound are named, or left out where that is allowed") {
+  auto disc = shapes::disc(12, 0.4);
+  const std::size_t bounded = disc.points.size();
+  for (const Point& p : shapes::disc(6).points) disc.points.push_back(p + Point{50, 0, 0});
+  Given given;
+  given.loops.push_back({disc.rim});
+  Options options = preset_options(Preset::Default);
+  try {
+    reconstruct(disc.points, options, {}, given);
+    FAIL("meshed a part that no loop bounds");
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::UnreachableInterior);
+    CHECK(error.ids().size() == disc.points.size() - bounded);
+  }
+  options.mesh.allow_partial = true;
+  CHECK(reconstruct(disc.points, options, {}, given).boundary.report.points.unmeshed ==
+        disc.points.size() - bounded);
+}
+
 TEST_CASE("bad options and given loops are refused with their names") {
   const auto disc = shapes::disc(12);
   Options options;

@@ -120,7 +120,8 @@ struct Field {
 };
 
 // Calls visit(Field<T>) for each field but `up`, T being int, std::int64_t, double, bool or an enumeration
-// with a name() (Field::least and most are equal there). Names are unique over all structs.
+// with a name() (Field::least and most are equal there; a bool goes from false to true). Names are unique
+// over all structs.
 template <class AnyOptions, class Visit>
 void visit_fields(AnyOptions& o, Visit&& visit) {
   constexpr double tiny = 1e-300;
@@ -157,7 +158,7 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
   field("residual", o.map.residual, 1e-15, 1e-2, "relative residual of the solve of eq. (4)");
   field("refine_rounds", o.mesh.refine_rounds, 1, 100,
         "most times the mesh is triangulated anew from its map [ours]");
-  field("allow_partial", o.mesh.allow_partial, false, false,
+  field("allow_partial", o.mesh.allow_partial, false, true,
         "mesh the other components where one can not be meshed [ours]");
 }
 
