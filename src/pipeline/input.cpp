@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/input.h"
+
+#include <algorithm>
+
+#include "rimline/measure.h"
+
+namespace rimline::pipeline {
+namespace {
+
+int most_neighbours(const Options& options) {
+  return std::max({options.boundary.k, options.loops.path_k, options.map.map_k, 6});
+}
+
+}  // namespace
+
+void check_input(const Work& work) {
+  check_options(work.options);
+  if (work.is_paper() && work.options.map.domain != Domain::Disc) {
+    throw Error(ErrorCode::BadOption,
+                "the paper's presets map to the disc alone; take the preset default for others");
+  }
+  if (!work.given.normals.empty() && work.given.normals.size() != work.input.size()) {
+    throw Error(ErrorCode::BadOption, "there must be one normal per point, or none");
+  }
+  for (const Loop& loop : work.given.loops) {
+    for (const Index id : loop.points) {
+      if (id < 0 || id >= static_cast<Index>(work.input.size())) {
+        throw Error(ErrorCode::BadOption, "a given loop names a point that the input does not have", {id});
+      }
+    }
+  }
+}
+
+void prepare(Work& work) {
+  const int k = most_neighbours(work.options);
+  Arrangement& arrangement = work.arrangement;
+  work.clock.enter(Stage::Arrange);
+  arrangement = arrange(work.input, work.run);
+  work.clock.enter(Stage::Neighbours);
+  work.neighbours = find_neighbours(arrangement.points, k, work.run);
+  if (leave_out_stray(arrangement, work.neighbours)) {
+    work.neighbours = find_neighbours(arrangement.points, k, work.run);
+  }
+  work.spacing = local_spacing(work.neighbours);
+  work.report.points = {work.input.size(), arrangement.points.size(), arrangement.not_finite.size(),
+                        arrangement.duplicates.size(), arrangement.stray.size()};
+  work.report.spacing = summarize_spacing(work.spacing);
+}
+
+}  // namespace rimline::pipeline

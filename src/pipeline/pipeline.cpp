@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The method on one screen.
+#include "rimline/pipeline.h"
+
+#include "pipeline/find_loops.h"
+#include "pipeline/input.h"
+#include "pipeline/map_and_mesh.h"
+#include "pipeline/results.h"
+
+namespace rimline {
+
+using namespace pipeline;
+
+namespace {
+
+// The loops of the input: where all three ways begin.
+Work with_loops(Points points, const Options& options, const Run& run, const Given& given) {
+  Work work{points, options, run, given};
+  check_input(work);
+  prepare(work);
+  find_loops(work);
+  return work;
+}
+
+}  // namespace
+
+BoundaryResult find_boundary(Points points, const Options& options, const Run& run, const Given& given) {
+  Work work = with_loops(points, options, run, given);
+  return boundary_result(work);
+}
+
+ParameterizeResult parameterize(Points points, const Options& options, const Run& run, const Given& given) {
+  Work work = with_loops(points, options, run, given);
+  work.is_paper() ? map_to_the_disc(work) : mesh_patches(work);
+  ParameterizeResult result;
+  result.uv = uv_of_input(work);
+  result.boundary = boundary_result(work);
+  return result;
+}
+
+ReconstructResult reconstruct(Points points, const Options& options, const Run& run, const Given& given) {
+  Work work = with_loops(points, options, run, given);
+  if (work.is_paper()) {
+    map_to_the_disc(work);
+    triangulate_the_disc(work);
+  } else {
+    mesh_patches(work);
+  }
+  measure(work);
+  ReconstructResult result;
+  result.uv = uv_of_input(work);
+  result.triangles = triangles_of_input(work);
+  result.patch = patch_of_input(work);
+  result.boundary = boundary_result(work);
+  return result;
+}
+
+}  // namespace rimline

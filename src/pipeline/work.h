@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One run of the method over one input: what the stages have found so far.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "rimline/arrange.h"
+#include "rimline/boundary.h"
+#include "rimline/exact_loops.h"
+#include "rimline/neighbours.h"
+#include "rimline/pipeline.h"
+#include "stage_clock.h"
+
+namespace rimline::pipeline {
+
+// All ids are those of the arrangement; results.h translates what leaves to the ids of the input.
+struct Work {
+  Points input;
+  const Options& options;
+  const Run& run;
+  const Given& given;
+  Report report = {};
+  StageClock clock = {};
+
+  Arrangement arrangement = {};
+  Neighbours neighbours = {};
+  std::vector<double> spacing = {};
+  BoundaryScores scores = {};
+  std::vector<float> probability = {};
+  std::vector<PointLabel> label = {};
+  std::vector<Triangle> surveyed = {};
+  std::vector<Loop> loops = {};
+  std::vector<UV> uv = {};
+  std::vector<Index> patch = {};
+  std::vector<Triangle> triangles = {};
+
+  bool is_paper() const { return options.preset != Preset::Default; }
+};
+
+// Errors of the stages name points of the arrangement; users know those of their file.
+template <class Body>
+auto translate_errors(const Work& work, const Body& body) {
+  try {
+    return body();
+  } catch (const Error& error) {
+    std::vector<Index> ids;
+    for (const Index id : error.ids()) ids.push_back(work.arrangement.ids[id]);
+    std::sort(ids.begin(), ids.end());
+    throw Error(error.code(), error.what(), std::move(ids));
+  }
+}
+
+}  // namespace rimline::pipeline
