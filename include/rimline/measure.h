@@ -7,12 +7,13 @@
 
 #include "rimline/mesh.h"
 #include "rimline/report.h"
+#include "rimline/run.h"
 
 namespace rimline {
 
-// `spacing` as of local_spacing(), one per point; `uv` one per point or empty.
+// `spacing` as of local_spacing(), one per point; `uv` one per point or empty. Throws Cancelled.
 MeshSummary measure_mesh(Points points, const std::vector<Triangle>& triangles,
-                         std::span<const double> spacing, std::span<const UV> uv);
+                         std::span<const double> spacing, std::span<const UV> uv, const Run& run = {});
 
 SpacingSummary summarize_spacing(std::vector<double> spacing);
 

@@ -5,84 +5,185 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
+#include <vector>
 
-#include "mesh/edges.h"
+#include "parallel.h"
 #include "union_find.h"
 
 namespace rimline {
 namespace {
 
-double angle_between(Point a, Point b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-
 std::array<double, 3> corner_angles(Point a, Point b, Point c) {
-  return {angle_between(b - a, c - a), angle_between(c - b, a - b), angle_between(a - c, b - c)};
+  const double twice_area = norm(cross(b - a, c - a));
+  const double at_a = std::atan2(twice_area, dot(b - a, c - a));
+  const double at_b = std::atan2(twice_area, dot(c - b, a - b));
+  return {at_a, at_b, std::max(0.0, std::numbers::pi - at_a - at_b)};
 }
 
 Point in_space(UV p) { return {p.u, p.v, 0}; }
 
-// Vertices whose triangles do not form one fan: corners at a vertex are joined across shared edges, and a
-// vertex with more than one group of corners is not manifold.
-std::size_t count_nonmanifold_vertices(const std::vector<Triangle>& triangles, std::size_t points) {
-  struct Side {
-    Index low, high, corner_low, corner_high;  // corners (3 * triangle + place) at the two ends
+// The corners of all triangles, vertex by vertex.
+struct Corners {
+  struct Corner {
+    Index next, previous;  // the triangle's other vertices
   };
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (int c = 0; c < 3; ++c) {
-      const Index corner = static_cast<Index>(3 * t + c), next = static_cast<Index>(3 * t + (c + 1) % 3);
-      const Index a = triangles[t][c], b = triangles[t][(c + 1) % 3];
-      sides.push_back(a < b ? Side{a, b, corner, next} : Side{b, a, next, corner});
+  std::vector<Index> offsets;  // vertices + 1
+  std::vector<Corner> corners;
+
+  Corners(const std::vector<Triangle>& triangles, std::size_t points)
+      : offsets(points + 1, 0), corners(3 * triangles.size()) {
+    for (const Triangle& t : triangles) {
+      for (const Index v : t) ++offsets[v + 1];
+    }
+    for (std::size_t v = 0; v < points; ++v) offsets[v + 1] += offsets[v];
+    std::vector<Index> at(offsets.begin(), offsets.end() - 1);
+    for (const auto& [a, b, c] : triangles) {
+      corners[at[a]++] = {b, c};
+      corners[at[b]++] = {c, a};
+      corners[at[c]++] = {a, b};
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return x.low != y.low ? x.low < y.low : x.high != y.high ? x.high < y.high : x.corner_low < y.corner_low;
-  });
-  UnionFind corners(3 * triangles.size());
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    if (sides[i].low != sides[i - 1].low || sides[i].high != sides[i - 1].high) continue;
-    corners.join(sides[i].corner_low, sides[i - 1].corner_low);
-    corners.join(sides[i].corner_high, sides[i - 1].corner_high);
+  std::span<const Corner> of(Index vertex) const {
+    return {corners.data() + offsets[vertex],
+            static_cast<std::size_t>(offsets[vertex + 1] - offsets[vertex])};
   }
-  std::vector<Index> fan_of(points, none);
-  std::vector<char> split(points, 0);
-  for (std::size_t corner = 0; corner < 3 * triangles.size(); ++corner) {
-    const Index vertex = triangles[corner / 3][corner % 3], fan = corners.find(static_cast<Index>(corner));
-    if (fan_of[vertex] == none) fan_of[vertex] = fan;
-    if (fan_of[vertex] != fan) split[vertex] = 1;
+};
+
+// One vertex with its edges, each with the corners it bounds.
+class Vertex {
+ public:
+  // Calls edge(other end, triangles) for each edge, ascending by its other end. Returns into how many fans
+  // the triangles fall when they are joined across shared edges.
+  template <class VisitEdge>
+  std::size_t visit(std::span<const Corners::Corner> corners, const VisitEdge& edge) {
+    sides_.clear();
+    group_.resize(corners.size());
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      group_[c] = c;
+      sides_.push_back({corners[c].next, c});
+      sides_.push_back({corners[c].previous, c});
+    }
+    std::sort(sides_.begin(), sides_.end());
+    std::size_t fans = corners.size();
+    for (std::size_t i = 0, j = 0; i < sides_.size(); i = j) {
+      for (j = i + 1; j < sides_.size() && sides_[j].first == sides_[i].first; ++j)
+        fans -= join(sides_[i].second, sides_[j].second);
+      edge(sides_[i].first, j - i);
+    }
+    return fans;
   }
-  return std::count(split.begin(), split.end(), 1);
+
+ private:
+  std::size_t find(std::size_t c) {
+    while (group_[c] != c) c = group_[c] = group_[group_[c]];
+    return c;
+  }
+  bool join(std::size_t a, std::size_t b) {
+    a = find(a);
+    b = find(b);
+    group_[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+  std::vector<std::pair<Index, std::size_t>> sides_;  // other end, corner
+  std::vector<std::size_t> group_;                    // of each corner
+};
+
+// What a slice of the vertices adds to the summary.
+struct VertexCounts {
+  std::size_t used = 0, edges = 0, boundary_edges = 0, nonmanifold_edges = 0, long_edges = 0, split = 0;
+  std::vector<std::array<Index, 2>> boundary;
+};
+
+// Each edge is counted at its lower end.
+VertexCounts count_slice(Points points, const Corners& corners, std::span<const double> spacing,
+                         std::size_t begin, std::size_t end) {
+  VertexCounts counts;
+  Vertex vertex;
+  for (Index v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
+    const auto own = corners.of(v);
+    if (own.empty()) continue;
+    ++counts.used;
+    counts.split += vertex.visit(own, [&](Index other, std::size_t triangles) {
+      if (other < v) return;
+      ++counts.edges;
+      if (triangles == 1) counts.boundary.push_back({v, other});
+      counts.nonmanifold_edges += triangles > 2;
+      const double longest = 3 * std::max(spacing[v], spacing[other]);
+      counts.long_edges += triangles == 2 && distance(points[v], points[other]) > longest;
+    }) > 1;
+  }
+  counts.boundary_edges = counts.boundary.size();
+  return counts;
 }
 
-// Groups of vertices that the edges connect, over the vertices that have an edge.
-std::size_t count_groups(const std::vector<Edge>& edges, std::size_t points, bool boundary_only) {
-  UnionFind groups(points);
-  std::size_t vertices = 0, joins = 0;
+// The pieces that loose edges form.
+std::size_t count_pieces(const std::vector<VertexCounts>& slices, std::size_t points) {
+  UnionFind pieces(points);
   std::vector<char> seen(points, 0);
-  for (const Edge& e : edges) {
-    if (boundary_only && e.triangles != 1) continue;
-    for (const Index v : {e.a, e.b}) {
-      vertices += !seen[v];
-      seen[v] = 1;
+  std::size_t vertices = 0, joins = 0;
+  for (const VertexCounts& slice : slices) {
+    for (const auto& [a, b] : slice.boundary) {
+      vertices += !std::exchange(seen[a], 1);
+      vertices += !std::exchange(seen[b], 1);
+      joins += pieces.join(a, b);
     }
-    joins += groups.join(e.a, e.b);
   }
   return vertices - joins;
 }
 
-void measure_triangles(Points points, const std::vector<Triangle>& triangles, std::span<const UV> uv,
-                       MeshSummary& summary) {
-  double distortion = 0;
+std::size_t count_components(const std::vector<Triangle>& triangles, std::size_t points, std::size_t used) {
+  UnionFind components(points);
+  std::size_t joins = 0;
+  for (const auto& [a, b, c] : triangles) {
+    joins += components.join(a, b);
+    joins += components.join(b, c);
+  }
+  return used - joins;
+}
+
+// What a slice of the triangles adds to the summary.
+struct TriangleSums {
+  std::array<std::size_t, 12> min_angle_histogram{};
+  double area = 0, distortion = 0;
+  std::size_t uv_flips = 0;
+};
+
+TriangleSums sum_slice(Points points, std::span<const Triangle> triangles, std::span<const UV> uv) {
+  TriangleSums sums;
   for (const auto& [a, b, c] : triangles) {
     const auto angles = corner_angles(points[a], points[b], points[c]);
     const double degrees = *std::min_element(angles.begin(), angles.end()) * 180 / std::numbers::pi;
-    ++summary.min_angle_histogram[std::min(11, static_cast<int>(degrees / 5))];
-    summary.area += 0.5 * norm(cross(points[b] - points[a], points[c] - points[a]));
+    ++sums.min_angle_histogram[std::min(11, static_cast<int>(degrees / 5))];
+    sums.area += 0.5 * norm(cross(points[b] - points[a], points[c] - points[a]));
     if (uv.empty()) continue;
     const Point pa = in_space(uv[a]), pb = in_space(uv[b]), pc = in_space(uv[c]);
-    summary.uv_flips += !(cross(pb - pa, pc - pa).z > 0);
+    sums.uv_flips += !(cross(pb - pa, pc - pa).z > 0);
     const auto flat = corner_angles(pa, pb, pc);
-    for (int i = 0; i < 3; ++i) distortion += std::abs(angles[i] - flat[i]);
+    for (int i = 0; i < 3; ++i) sums.distortion += std::abs(angles[i] - flat[i]);
+  }
+  return sums;
+}
+
+constexpr std::size_t slice_size = 8192;  // of the sums: it does not depend on the number of threads
+std::size_t slice_count(std::size_t count) { return (count + slice_size - 1) / slice_size; }
+
+void measure_triangles(Points points, std::span<const Triangle> triangles, std::span<const UV> uv,
+                       const Run& run, MeshSummary& summary) {
+  std::vector<TriangleSums> slices(slice_count(triangles.size()));
+  parallel_tasks(slices.size(), Stage::Measure, run, [&](std::size_t k) {
+    const std::size_t begin = k * slice_size;
+    slices[k] =
+        sum_slice(points, triangles.subspan(begin, std::min(slice_size, triangles.size() - begin)), uv);
+  });
+  double distortion = 0;
+  for (const TriangleSums& slice : slices) {
+    for (std::size_t i = 0; i < slice.min_angle_histogram.size(); ++i)
+      summary.min_angle_histogram[i] += slice.min_angle_histogram[i];
+    summary.area += slice.area;
+    summary.uv_flips += slice.uv_flips;
+    distortion += slice.distortion;
   }
   if (!uv.empty() && !triangles.empty()) {
     summary.mean_angle_distortion = distortion / (3.0 * static_cast<double>(triangles.size()));
@@ -91,41 +192,53 @@ void measure_triangles(Points points, const std::vector<Triangle>& triangles, st
   }
 }
 
+void measure_vertices(Points points, const std::vector<Triangle>& triangles, std::span<const double> spacing,
+                      const Run& run, MeshSummary& summary) {
+  const Corners corners(triangles, points.size());
+  std::vector<VertexCounts> slices(slice_count(points.size()));
+  parallel_tasks(slices.size(), Stage::Measure, run, [&](std::size_t k) {
+    slices[k] =
+        count_slice(points, corners, spacing, k * slice_size, std::min(points.size(), (k + 1) * slice_size));
+  });
+  for (const VertexCounts& slice : slices) {
+    summary.points_used += slice.used;
+    summary.edges += slice.edges;
+    summary.boundary_edges += slice.boundary_edges;
+    summary.nonmanifold_edges += slice.nonmanifold_edges;
+    summary.long_edges += slice.long_edges;
+    summary.nonmanifold_vertices += slice.split;
+  }
+  summary.boundary_loops = count_pieces(slices, points.size());
+}
+
 }  // namespace
 
 MeshSummary measure_mesh(Points points, const std::vector<Triangle>& triangles,
-                         std::span<const double> spacing, std::span<const UV> uv) {
+                         std::span<const double> spacing, std::span<const UV> uv, const Run& run) {
   MeshSummary summary;
   summary.triangles = triangles.size();
-  std::vector<char> used(points.size(), 0);
-  for (const Triangle& t : triangles) {
-    for (const Index v : t) used[v] = 1;
-  }
-  summary.points_used = std::count(used.begin(), used.end(), 1);
-
-  const std::vector<Edge> edges = edges_of(triangles);
-  summary.edges = edges.size();
-  for (const Edge& e : edges) {
-    summary.boundary_edges += e.triangles == 1;
-    summary.nonmanifold_edges += e.triangles > 2;
-    const double longest = 3 * std::max(spacing[e.a], spacing[e.b]);
-    summary.long_edges += e.triangles == 2 && distance(points[e.a], points[e.b]) > longest;
-  }
-  summary.euler = static_cast<long long>(summary.points_used) - static_cast<long long>(edges.size()) +
+  measure_vertices(points, triangles, spacing, run, summary);
+  summary.euler = static_cast<long long>(summary.points_used) - static_cast<long long>(summary.edges) +
                   static_cast<long long>(triangles.size());
-  summary.components = count_groups(edges, points.size(), false);
-  summary.boundary_loops = count_groups(edges, points.size(), true);
-  summary.nonmanifold_vertices = count_nonmanifold_vertices(triangles, points.size());
-  measure_triangles(points, triangles, uv, summary);
+  summary.components = count_components(triangles, points.size(), summary.points_used);
+  measure_triangles(points, triangles, uv, run, summary);
   return summary;
 }
 
 SpacingSummary summarize_spacing(std::vector<double> spacing) {
   if (spacing.empty()) return {};
-  std::sort(spacing.begin(), spacing.end());
-  const auto quantile = [&](double q) { return spacing[static_cast<std::size_t>(q * (spacing.size() - 1))]; };
-  return {std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(spacing.size()),
-          spacing.front(), spacing.back(), quantile(0.05), quantile(0.95)};
+  const double mean =
+      std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(spacing.size());
+  const auto [least, most] = std::minmax_element(spacing.begin(), spacing.end());
+  SpacingSummary summary{mean, *least, *most, 0, 0};
+  const auto quantile = [&](double q) {
+    const auto at = spacing.begin() + static_cast<std::ptrdiff_t>(q * (spacing.size() - 1));
+    std::nth_element(spacing.begin(), at, spacing.end());
+    return *at;
+  };
+  summary.low = quantile(0.05);
+  summary.high = quantile(0.95);
+  return summary;
 }
 
 }  // namespace rimline

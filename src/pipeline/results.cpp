@@ -64,7 +64,7 @@ void measure(Work& work) {
   work.clock.enter(Stage::Measure);
   Report& report = work.report;
   report.has_mesh = true;
-  report.mesh = measure_mesh(work.arrangement.points, work.triangles, work.spacing, work.uv);
+  report.mesh = measure_mesh(work.arrangement.points, work.triangles, work.spacing, work.uv, work.run);
   report.points.unmeshed = work.arrangement.points.size() - report.mesh.points_used;
   if (report.points.unmeshed > 0) {
     report.warnings.push_back(

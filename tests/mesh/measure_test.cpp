@@ -5,8 +5,11 @@
 
 #include <cmath>
 #include <numeric>
+#include <random>
+#include <set>
 
 #include "mesh/edges.h"
+#include "union_find.h"
 
 namespace rimline {
 namespace {
@@ -64,6 +67,40 @@ TEST_CASE("edges come once each, ascending, with their triangles counted") {
   CHECK(edges[1].b == 2);
   CHECK(edges[1].triangles == 2);
   CHECK(edges[0].triangles == 1);
+}
+
+TEST_CASE("the counts of random triangles are those of their sorted edges, for any number of threads") {
+  std::mt19937 random(5);
+  const Index n = 20'000;  // more than one slice
+  std::vector<Point> points(n);
+  for (Point& p : points) p = {random() % 100 / 10.0, random() % 100 / 10.0, random() % 100 / 10.0};
+  std::vector<Triangle> triangles;
+  while (triangles.size() < 30'000) {  // ids close to each other, so that edges meet
+    const Index a = random() % (n - 4), b = a + 1 + random() % 3;
+    if (b != a + 2) triangles.push_back({a, b, a + 2});
+  }
+  const std::vector<double> spacing(n, 1.0);
+  MeshSummary expected;
+  std::size_t joins = 0;
+  UnionFind pieces(n);
+  std::set<Index> rim;
+  for (const Edge& e : edges_of(triangles)) {
+    ++expected.edges;
+    expected.boundary_edges += e.triangles == 1;
+    expected.nonmanifold_edges += e.triangles > 2;
+    expected.long_edges += e.triangles == 2 && distance(points[e.a], points[e.b]) > 3;
+    if (e.triangles != 1) continue;
+    rim.insert({e.a, e.b});
+    joins += pieces.join(e.a, e.b);
+  }
+  for (const int threads : {1, 2}) {
+    const MeshSummary m = measure_mesh(points, triangles, spacing, {}, Run{.threads = threads});
+    CHECK(m.edges == expected.edges);
+    CHECK(m.boundary_edges == expected.boundary_edges);
+    CHECK(m.nonmanifold_edges == expected.nonmanifold_edges);
+    CHECK(m.long_edges == expected.long_edges);
+    CHECK(m.boundary_loops == rim.size() - joins);
+  }
 }
 
 TEST_CASE("spacing is summed up by mean, ends and quantiles") {
