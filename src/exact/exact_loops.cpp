@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "exact/denoise.h"
 #include "exact/evidence.h"
 #include "exact/frame.h"
 #include "exact/local_size.h"
@@ -313,7 +314,21 @@ class Survey {
 BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                                 const ExactLoopOptions& options, double length_exponent, const Run& run) {
   exact::check(points, options);
-  return exact::Survey(points, neighbours, scores, options, length_exponent, run).find();
+  const double heed =
+      exact::noise_weight(exact::noise_level(points, neighbours, local_spacing(neighbours), run));
+  const auto survey = [&](Points at, const Neighbours& near) {
+    return exact::Survey(at, near, scores, options, length_exponent, run).find();
+  };
+  if (heed == 0) return survey(points, neighbours);
+  // Under noise all geometry is that of points moved onto the surface, as far as their neighbours tell it.
+  const std::vector<Point> smooth = exact::take_off_noise(points, neighbours, heed, run);
+  const Neighbours near = find_neighbours(smooth, neighbours.k, run);
+  for (Index i = 0; i < near.size(); ++i) {
+    if (near.distances_of(i)[0] == 0) return survey(points, neighbours);  // two were moved to one place
+  }
+  BoundarySurvey found = survey(smooth, near);
+  for (Loop& loop : found.loops) loop.length = loop_length(points, loop.points);
+  return found;
 }
 
 }  // namespace rimline

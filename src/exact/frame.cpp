@@ -23,6 +23,16 @@ Eigen::Matrix3d covariance(Points points, Index self, std::span<const Index> ids
   return sum;
 }
 
+Frame frame_of(const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>& solver) {
+  Frame frame;
+  frame.normal = from_eigen(solver.eigenvectors().col(0));
+  frame.u = from_eigen(solver.eigenvectors().col(2));
+  frame.v = cross(frame.normal, frame.u);
+  const double middle = solver.eigenvalues()[1];
+  frame.thickness = middle > 0 ? std::max(0.0, solver.eigenvalues()[0] / middle) : 0;
+  return frame;
+}
+
 }  // namespace
 
 Frame fit_frame(Points points, const Neighbours& neighbours, Index point) {
@@ -33,13 +43,13 @@ Frame fit_frame(Points points, const Neighbours& neighbours, Index point) {
     solver.computeDirect(covariance(points, point, neighbours.of(point, std::min(k, neighbours.k))));
     if (solver.eigenvalues()[1] >= line * solver.eigenvalues()[2] || k >= neighbours.k) break;
   }
-  Frame frame;
-  frame.normal = from_eigen(solver.eigenvectors().col(0));
-  frame.u = from_eigen(solver.eigenvectors().col(2));
-  frame.v = cross(frame.normal, frame.u);
-  const double middle = solver.eigenvalues()[1];
-  frame.thickness = middle > 0 ? std::max(0.0, solver.eigenvalues()[0] / middle) : 0;
-  return frame;
+  return frame_of(solver);
+}
+
+Frame fit_frame(Points points, std::span<const Index> ids, Index point) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance(points, point, ids));
+  return frame_of(solver);
 }
 
 std::vector<Frame> fit_frames(Points points, const Neighbours& neighbours, const Run& run) {

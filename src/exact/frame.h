@@ -21,6 +21,9 @@ struct Frame {
 // there are) where these lie nearly on a line, as in scan lines whose rows are far apart.
 Frame fit_frame(Points points, const Neighbours& neighbours, Index point);
 
+// Principal directions of the point and the given others.
+Frame fit_frame(Points points, std::span<const Index> others, Index point);
+
 std::vector<Frame> fit_frames(Points points, const Neighbours& neighbours, const Run& run);
 
 }  // namespace rimline::exact

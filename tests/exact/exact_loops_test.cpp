@@ -10,6 +10,7 @@
 
 #include "random.h"
 #include "rimline/arrange.h"
+#include "rimline/loops.h"
 #include "rimline/sample.h"
 
 using namespace rimline;
@@ -200,6 +201,19 @@ TEST_CASE("the search finds a hole in rows that are far apart") {
   REQUIRE(found.loops.size() == 2);
   CHECK(found.survey.loops[1].kind == LoopKind::Hole);
   CHECK(signed_area(points, found.loops[1]) < -75);
+}
+
+TEST_CASE("noise of a fifth of the spacing tears no holes into random samples") {
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    CHECK(find_loops(make(Shape::WavySaddle, Sampling::Random, 4000, 0.2, seed).points).loops.size() == 1);
+  }
+}
+
+TEST_CASE("the length of a loop is that of the points as they were given") {
+  const Sample noisy = make(Shape::HemisphereCap, Sampling::BlueNoise, 1000, 0.5);
+  const Found found = find_loops(noisy.points);
+  REQUIRE(found.loops.size() == 1);
+  CHECK(found.survey.loops[0].length == doctest::Approx(loop_length(noisy.points, found.loops[0])));
 }
 
 TEST_CASE("permuting the input permutes the ids and nothing else") {

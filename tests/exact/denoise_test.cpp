@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exact/denoise.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "rimline/sample.h"
+
+using namespace rimline;
+using namespace rimline::exact;
+
+namespace {
+
+Sample make(Shape shape, Sampling sampling, double noise) {
+  SampleOptions options;
+  options.shape = shape;
+  options.sampling = sampling;
+  options.n = 2000;
+  options.noise = noise;
+  return sample(options, {});
+}
+
+double level_of(Points points) {
+  const Neighbours neighbours = find_neighbours(points, 40, {});
+  return noise_level(points, neighbours, local_spacing(neighbours), {});
+}
+
+double mean_square_z(Points points) {
+  double sum = 0;
+  for (const Point& p : points) sum += p.z * p.z / static_cast<double>(points.size());
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the noise level of a flat disc is its deviation in z over the spacing") {
+  for (const double noise : {0.1, 0.2, 0.5}) {
+    const Sample disc = make(Shape::FlatDisc, Sampling::BlueNoise, noise);
+    double spacing = 0;
+    for (const double h : local_spacing(find_neighbours(disc.points, 6, {})))
+      spacing += h / static_cast<double>(disc.points.size());
+    const double truth = std::sqrt(mean_square_z(disc.points)) / spacing;
+    CHECK(level_of(disc.points) == doctest::Approx(truth).epsilon(0.15));
+  }
+}
+
+TEST_CASE("points without noise are not touched, whatever the shape and the sampling") {
+  for (const Shape shape : {Shape::FlatDisc, Shape::HemisphereCap, Shape::CurledStrip, Shape::CappedTube}) {
+    for (const Sampling sampling : {Sampling::Random, Sampling::ScanLines, Sampling::DensityStep}) {
+      CHECK(noise_weight(level_of(make(shape, sampling, 0).points)) == 0);
+    }
+  }
+}
+
+TEST_CASE("noise of a fifth of the spacing is heeded in full") {
+  CHECK(noise_weight(level_of(make(Shape::HemisphereCap, Sampling::BlueNoise, 0.2).points)) == 1);
+}
+
+TEST_CASE("without its noise a noisy disc is flatter, and nothing moves along it") {
+  const Sample disc = make(Shape::FlatDisc, Sampling::BlueNoise, 0.5);
+  const Neighbours neighbours = find_neighbours(disc.points, 40, {});
+  const std::vector<Point> smooth = take_off_noise(disc.points, neighbours, 1, {});
+  CHECK(mean_square_z(smooth) < 0.4 * mean_square_z(disc.points));
+  CHECK(take_off_noise(disc.points, neighbours, 0, {}) == disc.points);
+}
+
+TEST_CASE("a set of a few points has a noise level") {
+  const std::vector<Point> few{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5}};
+  CHECK(level_of(few) == 0);
+}
