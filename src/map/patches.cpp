@@ -39,18 +39,33 @@ void join_mutual(const Stars& stars, const std::vector<Index>& loop_of, UnionFin
   }
 }
 
+std::vector<char> bounded_parts(const std::vector<Index>& loop_of, const std::vector<Loop>& loops,
+                                UnionFind& parts) {
+  const Index n = static_cast<Index>(loop_of.size());
+  std::vector<char> bounded(n, 0);
+  for (const Loop& loop : loops) {
+    for (const Index v : loop.points) {
+      if (v < n && loop_of[v] != shared) bounded[parts.find(v)] = 1;
+    }
+  }
+  return bounded;
+}
+
+bool any_loose(const std::vector<Index>& loop_of, const std::vector<Loop>& loops, UnionFind& parts) {
+  const std::vector<char> bounded = bounded_parts(loop_of, loops, parts);
+  for (Index i = 0; i < static_cast<Index>(loop_of.size()); ++i) {
+    if (loop_of[i] != shared && !bounded[parts.find(i)]) return true;
+  }
+  return false;
+}
+
 // Points that hang together with no loop but whose cells name, or are named by, points that do.
 void join_one_sided(const Stars& stars, const std::vector<Index>& loop_of, const std::vector<Loop>& loops,
                     UnionFind& parts) {
   const Index n = static_cast<Index>(loop_of.size());
   for (bool again = true; again;) {
     again = false;
-    std::vector<char> bounded(n, 0);
-    for (const Loop& loop : loops) {
-      for (const Index v : loop.points) {
-        if (v < n && loop_of[v] != shared) bounded[parts.find(v)] = 1;
-      }
-    }
+    std::vector<char> bounded = bounded_parts(loop_of, loops, parts);
     for (Index i = 0; i < n; ++i) {
       if (loop_of[i] == shared) continue;
       for (const Index j : stars.of(i)) {
@@ -72,9 +87,9 @@ bool alone(Index v, const std::vector<Index>& loop_of) {
   return v < static_cast<Index>(loop_of.size()) && loop_of[v] != shared;
 }
 
-void join_along(const Loop& loop, const std::vector<Index>& loop_of, UnionFind& parts) {
+void join_along(std::span<const Index> points, const std::vector<Index>& loop_of, UnionFind& parts) {
   Index last = none;
-  for (const Index v : loop.points) {
+  for (const Index v : points) {
     if (!alone(v, loop_of)) continue;
     if (last != none) parts.join(last, v);
     last = v;
@@ -107,16 +122,15 @@ void make_local(const Separated& whole, Index point_count, PatchInput& patch) {
 
 }  // namespace
 
-Partition partition(const Stars& stars, const std::vector<Loop>& loops,
+Partition partition(Index n, const std::function<const Stars&()>& stars, const std::vector<Loop>& loops,
                     const std::vector<Triangle>& surface) {
-  const Index n = static_cast<Index>(stars.offsets.size()) - 1;
   const Separated outline = separate_pinches(loops, n);
   const std::vector<Index> loop_of = loops_of_points(outline, n);
   UnionFind parts(n);
-  if (surface.empty()) join_mutual(stars, loop_of, parts);
-  for (const Triangle& t : surface) join_along({{t.begin(), t.end()}, LoopKind::Outer}, loop_of, parts);
-  for (const Loop& loop : outline.loops) join_along(loop, loop_of, parts);
-  join_one_sided(stars, loop_of, outline.loops, parts);
+  if (surface.empty()) join_mutual(stars(), loop_of, parts);
+  for (const Triangle& t : surface) join_along(t, loop_of, parts);
+  for (const Loop& loop : outline.loops) join_along(loop.points, loop_of, parts);
+  if (any_loose(loop_of, outline.loops, parts)) join_one_sided(stars(), loop_of, outline.loops, parts);
 
   Partition result;
   std::vector<Index> patch_of(n, none);  // by part

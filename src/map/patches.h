@@ -2,6 +2,7 @@
 // Which points and loops make one patch.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "map/pinches.h"
@@ -23,6 +24,8 @@ struct Partition {
 
 // Points hang together by the triangles of `surface` where there are any, else where each is in the other's
 // cell, but not across a gap between loops, nor in a point where loops touch.
-Partition partition(const Stars& stars, const std::vector<Loop>& loops, const std::vector<Triangle>& surface);
+// Cells also tell where points go that no triangle joins to a loop; `stars` is called where there are such.
+Partition partition(Index points, const std::function<const Stars&()>& stars, const std::vector<Loop>& loops,
+                    const std::vector<Triangle>& surface);
 
 }  // namespace rimline

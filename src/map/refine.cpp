@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "map/free_map.h"
 #include "map/pinches.h"
 #include "map/refine_patch.h"
+#include "map/survey_mesh.h"
 #include "map/topology.h"
 #include "map/weights.h"
 #include "mesh/constrained_delaunay.h"
@@ -78,11 +80,12 @@ std::vector<double> spacing_with(const Neighbours& neighbours, const std::vector
 class Refiner {
  public:
   // `points` may end in copies of points where loops touch; `neighbours` and `stars` know the others only.
-  Refiner(Points points, const Neighbours& neighbours, const Stars& stars, const Separated& outline,
-          const RefineOptions& options, const Run& run)
+  Refiner(Points points, const Neighbours& neighbours, const Stars* stars, const Separated& outline,
+          std::vector<Triangle> survey, const RefineOptions& options, const Run& run)
       : points_(points),
         neighbours_(neighbours),
-        stars_(stars),
+        known_stars_(stars),
+        survey_(std::move(survey)),
         loops_(outline.loops),
         copies_(outline.original),
         options_(options),
@@ -100,15 +103,17 @@ class Refiner {
     for (int round = 0; round < options_.rounds; ++round) {
       run_.progress(Stage::Refine, round, options_.rounds);
       Triangulation mesh;
+      bool surveyed = false;
       if (round == 0) {
-        mesh = triangulate_first();
+        surveyed = take_survey(mesh);
+        if (!surveyed) mesh = triangulate_first();
       } else if (!try_triangulate(mesh)) {
         break;  // the rough map before has rims that cross
       }
       const std::size_t flips = flip_edges(points_, mesh, copies_, run_);
       const EdgeQuality quality = edge_quality(points_, mesh, spacing_);
       patch.rounds.push_back({flips, quality.bad, quality.length});
-      if (round == 0 && quality.bad >= doubtful) check_topology();
+      if (round == 0 && !surveyed && quality.bad >= doubtful) check_topology();
       // Of two meshes over the same points the one of shorter edges is better; less is no progress.
       constexpr double progress = 1e-5;
       const bool better = quality.length < least * (1 - progress);
@@ -168,15 +173,31 @@ class Refiner {
     return true;
   }
 
-  void check_topology() const {
+  const Stars& stars() {
+    if (known_stars_ == nullptr) {
+      own_stars_ = find_stars(points_.first(neighbours_.size()), neighbours_, {}, {}, run_);
+      known_stars_ = &own_stars_;
+    }
+    return *known_stars_;
+  }
+
+  void check_topology() {
     constexpr double enough = 0.5;  // of the points, for the verdict to count
-    const Topology topology = find_topology(stars_);
+    const Topology topology = find_topology(stars());
     if (topology.coverage < enough) return;
     if (!topology.orientable) throw Error(ErrorCode::NotADisc, "the surface is one-sided (not orientable)");
     if (topology.genus > 0) {
       throw Error(ErrorCode::NotADisc, "the surface is no disc: it has " + std::to_string(topology.genus) +
                                            (topology.genus == 1 ? " handle" : " handles"));
     }
+  }
+
+  // Where loops touch, the survey does not know the copies of the point.
+  bool take_survey(Triangulation& mesh) {
+    if (!copies_.empty()) return false;
+    std::optional<Triangulation> found = mesh_of_survey(points_, neighbours_, loops_, std::move(survey_));
+    if (found) mesh = std::move(*found);
+    return found.has_value();
   }
 
   // The first map knows neighbours only, and rims may cross in it: then once more, the rims held apart.
@@ -197,9 +218,9 @@ class Refiner {
   }
 
   // eq. (4) with the local Voronoi cells as neighbourhoods.
-  Graph neighbour_graph(const std::vector<char>& fixed) const {
+  Graph neighbour_graph(const std::vector<char>& fixed) {
     const Index nodes = static_cast<Index>(fixed.size());
-    std::vector<WeightedEdge> edges = star_edges(stars_);
+    std::vector<WeightedEdge> edges = star_edges(stars());
     if (!copies_.empty()) share_with_copies(points_, loops_, copies_, edges);
     add_wheels(loops_, static_cast<Index>(points_.size()), edges);
     Graph graph = make_graph(nodes, edges);
@@ -230,7 +251,9 @@ class Refiner {
 
   Points points_;
   const Neighbours& neighbours_;
-  const Stars& stars_;
+  const Stars* known_stars_;
+  Stars own_stars_;  // where none were given and some were needed
+  std::vector<Triangle> survey_;
   const std::vector<Loop>& loops_;
   const std::vector<Index>& copies_;
   const RefineOptions& options_;
@@ -245,16 +268,17 @@ class Refiner {
 Patch refine_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                    const RefineOptions& options, const Run& run) {
   const Separated outline = separate_pinches(loops, static_cast<Index>(points.size()));
-  return refine_patch(points, neighbours, find_stars(points, neighbours, {}, {}, run), outline, options, run);
+  return refine_patch(points, neighbours, nullptr, outline, {}, options, run);
 }
 
-Patch refine_patch(Points points, const Neighbours& neighbours, const Stars& stars, const Separated& outline,
-                   const RefineOptions& options, const Run& run) {
-  if (outline.original.empty()) return Refiner(points, neighbours, stars, outline, options, run).refine();
+Patch refine_patch(Points points, const Neighbours& neighbours, const Stars* stars, const Separated& outline,
+                   std::vector<Triangle> survey, const RefineOptions& options, const Run& run) {
+  if (outline.original.empty())
+    return Refiner(points, neighbours, stars, outline, std::move(survey), options, run).refine();
   const Index n = static_cast<Index>(points.size());
   std::vector<Point> with_copies(points.begin(), points.end());
   for (const Index v : outline.original) with_copies.push_back(points[v]);
-  Patch patch = Refiner(with_copies, neighbours, stars, outline, options, run).refine();
+  Patch patch = Refiner(with_copies, neighbours, stars, outline, {}, options, run).refine();
   for (Triangle& t : patch.triangles) {
     for (Index& v : t) v = v < n ? v : outline.original[v - n];
   }

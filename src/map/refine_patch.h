@@ -2,14 +2,18 @@
 // refine_patch() for those who know the points' cells already.
 #pragma once
 
+#include <vector>
+
 #include "map/pinches.h"
 #include "map/stars.h"
 #include "rimline/refine.h"
 
 namespace rimline {
 
-// `outline` has ids of the points and, beyond them, of copies where it touches itself.
-Patch refine_patch(Points points, const Neighbours& neighbours, const Stars& stars, const Separated& outline,
-                   const RefineOptions& options, const Run& run);
+// `outline` has ids of the points and, beyond them, of copies where it touches itself. `stars` may be null:
+// they are found where they are needed. `survey` may be empty: triangles of the patch that the loops were
+// found on, which serve as the first mesh where they can.
+Patch refine_patch(Points points, const Neighbours& neighbours, const Stars* stars, const Separated& outline,
+                   std::vector<Triangle> survey, const RefineOptions& options, const Run& run);
 
 }  // namespace rimline

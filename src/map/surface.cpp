@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "map/patches.h"
 #include "map/refine_patch.h"
@@ -9,14 +11,42 @@
 namespace rimline {
 namespace {
 
-Patch refine_alone(Points points, const PatchInput& input, int k, const RefineOptions& options,
-                   const Run& run) {
+Patch refine_alone(Points points, const PatchInput& input, std::vector<Triangle> survey, int k,
+                   const RefineOptions& options, const Run& run) {
   std::vector<Point> own;
   own.reserve(input.points.size());
   for (const Index i : input.points) own.push_back(points[i]);
   const Neighbours neighbours = find_neighbours(own, k, run);
-  const Stars stars = find_stars(own, neighbours, {}, {}, run);
-  return refine_patch(own, neighbours, stars, input.outline, options, run);
+  return refine_patch(own, neighbours, nullptr, input.outline, std::move(survey), options, run);
+}
+
+// The triangles of each patch, in its ids. At a point of several patches the other corners decide.
+std::vector<std::vector<Triangle>> share_out(const std::vector<Triangle>& triangles, std::size_t points,
+                                             const std::vector<PatchInput>& patches) {
+  constexpr Index several = -2;
+  std::vector<Index> patch_of(points, none), local(points, none);
+  for (Index p = 0; p < static_cast<Index>(patches.size()); ++p) {
+    for (Index i = 0; i < static_cast<Index>(patches[p].points.size()); ++i) {
+      const Index v = patches[p].points[i];
+      patch_of[v] = patch_of[v] == none ? p : several;
+      local[v] = i;
+    }
+  }
+  std::vector<std::vector<Triangle>> parts(patches.size());
+  for (const Triangle& t : triangles) {
+    const Index p = std::max({patch_of[t[0]], patch_of[t[1]], patch_of[t[2]]});
+    if (p < 0) continue;
+    const std::vector<Index>& ids = patches[p].points;
+    Triangle own = t;
+    bool inside = true;
+    for (Index& v : own) {
+      inside = inside && (patch_of[v] == p || patch_of[v] == several);
+      v = patch_of[v] == p ? local[v]
+                           : static_cast<Index>(std::lower_bound(ids.begin(), ids.end(), v) - ids.begin());
+    }
+    if (inside) parts[p].push_back(own);
+  }
+  return parts;
 }
 
 PatchReport report_on(const PatchInput& input, const Patch& patch, const RefineOptions& options) {
@@ -65,18 +95,25 @@ Surface refine_surface(Points points, const Neighbours& neighbours, const std::v
                        const Run& run) {
   if (loops.empty()) throw Error(ErrorCode::NoClosedLoop, "there is no loop: nothing bounds the surface");
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const Stars stars = find_stars(points, neighbours, {}, {}, run);
-  Partition parts = partition(stars, loops, surface_triangles);
+  std::optional<Stars> stars;
+  const auto find = [&]() -> const Stars& {
+    if (!stars) stars = find_stars(points, neighbours, {}, {}, run);
+    return *stars;
+  };
+  Partition parts = partition(static_cast<Index>(points.size()), find, loops, surface_triangles);
   Surface surface;
   surface.uv.assign(points.size(), {nan, nan});
   surface.patch.assign(points.size(), none);
   surface.left_out = std::move(parts.left_out);
+  std::vector<std::vector<Triangle>> surveys = share_out(surface_triangles, points.size(), parts.patches);
   Row row;
-  for (const PatchInput& input : parts.patches) {
+  for (std::size_t p = 0; p < parts.patches.size(); ++p) {
+    const PatchInput& input = parts.patches[p];
     const bool whole = input.points.size() == points.size();
     try {
-      Patch patch = whole ? refine_patch(points, neighbours, stars, input.outline, options, run)
-                          : refine_alone(points, input, neighbours.k, options, run);
+      Patch patch = whole ? refine_patch(points, neighbours, stars ? &*stars : nullptr, input.outline,
+                                         std::move(surveys[p]), options, run)
+                          : refine_alone(points, input, std::move(surveys[p]), neighbours.k, options, run);
       surface.patches.push_back(report_on(input, patch, options));
       row.place(patch.uv);
       for (const Triangle& t : patch.triangles) {
