@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "map/weights.h"
+#include "map/graph.h"
+#include "map/mesh_system.h"
 #include "parallel.h"
 
 namespace rimline {
@@ -56,10 +57,8 @@ Embedding embed(Points points, const Triangulation& mesh, const std::vector<Loop
   std::vector<double> evenness;
   Embedding embedding;
   for (int attempt = 0;; ++attempt) {
-    std::vector<WeightedEdge> edges = cotangent_edges(points, mesh, evenness, run);
-    add_wheels(loops, n, edges);
-    const Graph graph = make_graph(static_cast<Index>(uv.size()), edges);
-    embedding.map = solve_map(graph, fixed, attempt == 0 ? residual : std::min(residual, exact), uv, run);
+    embedding.map = solve_system(mesh_system(points, mesh, loops, evenness, fixed, uv, run),
+                                 attempt == 0 ? residual : std::min(residual, exact), uv, run);
     if (embedding.map.residual > residual) {
       throw Error(ErrorCode::NoConvergence,
                   "the map's linear system was not solved to the residual asked for");

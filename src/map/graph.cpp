@@ -6,38 +6,12 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "solve/multigrid.h"
 
 namespace rimline {
 namespace {
-
-// The rows of eq. (4), each times the sum of its weights: symmetric. `unknown` numbers the free nodes.
-SymmetricMatrix assemble(const Graph& graph, const std::vector<Index>& unknown, const std::vector<UV>& uv,
-                         std::vector<UV>& right) {
-  SymmetricMatrix a;
-  a.columns.reserve(graph.neighbours.size());
-  a.values.reserve(graph.neighbours.size());
-  for (Index i = 0; i < graph.size(); ++i) {
-    if (unknown[i] == none) continue;
-    double sum = 0;
-    UV fixed;
-    for (Index e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
-      const Index j = graph.neighbours[e];
-      sum += graph.weights[e];
-      if (unknown[j] == none) {
-        fixed = fixed + graph.weights[e] * uv[j];
-      } else {
-        a.columns.push_back(unknown[j]);
-        a.values.push_back(-graph.weights[e]);
-      }
-    }
-    a.diagonal.push_back(sum);
-    a.offsets.push_back(static_cast<Index>(a.columns.size()));
-    right.push_back(fixed);
-  }
-  return a;
-}
 
 // For systems on which the multigrid stalls.
 void solve_directly(const SymmetricMatrix& a, const std::vector<UV>& right, std::vector<UV>& x) {
@@ -146,6 +120,37 @@ std::vector<Index> unreachable(const Graph& graph, const std::vector<char>& fixe
   return missed;
 }
 
+MapSystem graph_system(const Graph& graph, const std::vector<char>& fixed, const std::vector<UV>& uv) {
+  MapSystem system;
+  system.unknown.assign(graph.size(), none);
+  Index count = 0;
+  for (Index i = 0; i < graph.size(); ++i) {
+    if (!fixed[i]) system.unknown[i] = count++;
+  }
+  SymmetricMatrix& a = system.matrix;
+  a.columns.reserve(graph.neighbours.size());
+  a.values.reserve(graph.neighbours.size());
+  for (Index i = 0; i < graph.size(); ++i) {
+    if (fixed[i]) continue;
+    double sum = 0;
+    UV held;
+    for (Index e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
+      const Index j = graph.neighbours[e];
+      sum += graph.weights[e];
+      if (fixed[j]) {
+        held = held + graph.weights[e] * uv[j];
+      } else {
+        a.columns.push_back(system.unknown[j]);
+        a.values.push_back(-graph.weights[e]);
+      }
+    }
+    a.diagonal.push_back(sum);
+    a.offsets.push_back(static_cast<Index>(a.columns.size()));
+    system.right.push_back(held);
+  }
+  return system;
+}
+
 MapSummary solve_map(const Graph& graph, const std::vector<char>& fixed, double tolerance,
                      std::vector<UV>& uv, const Run& run) {
   std::vector<Index> missed = unreachable(graph, fixed);
@@ -154,28 +159,30 @@ MapSummary solve_map(const Graph& graph, const std::vector<char>& fixed, double 
                 std::to_string(missed.size()) + " interior points have no path of neighbours to the loop",
                 missed);
   }
-  std::vector<Index> unknown(graph.size(), none);
-  std::vector<UV> right, x;
-  for (Index i = 0; i < graph.size(); ++i) {
-    if (fixed[i]) continue;
-    unknown[i] = static_cast<Index>(x.size());
-    x.push_back(uv[i]);
-  }
+  return solve_system(graph_system(graph, fixed, uv), tolerance, uv, run);
+}
+
+MapSummary solve_system(MapSystem system, double tolerance, std::vector<UV>& uv, const Run& run) {
   MapSummary summary;
+  std::vector<UV> x;
+  x.reserve(system.right.size());
+  for (std::size_t i = 0; i < uv.size(); ++i) {
+    if (system.unknown[i] != none) x.push_back(uv[i]);
+  }
   summary.unknowns = x.size();
   if (x.empty()) return summary;
-  Multigrid multigrid(assemble(graph, unknown, uv, right), run);
-  const SolveResult solved = solve(multigrid, right, tolerance, 200, x, run);
+  Multigrid multigrid(std::move(system.matrix), run);
+  const SolveResult solved = solve(multigrid, system.right, tolerance, 200, x, run);
   summary.iterations = solved.iterations;
   summary.residual = solved.residual;
   constexpr double stalled = 1e-9;  // far above what rounding explains
   if (solved.residual > std::max(tolerance, stalled)) {
-    solve_directly(multigrid.matrix(), right, x);
+    solve_directly(multigrid.matrix(), system.right, x);
     summary.iterations = 0;
-    summary.residual = solve(multigrid, right, tolerance, 0, x, run).residual;
+    summary.residual = solve(multigrid, system.right, tolerance, 0, x, run).residual;
   }
-  for (Index i = 0; i < graph.size(); ++i) {
-    if (unknown[i] != none) uv[i] = x[unknown[i]];
+  for (std::size_t i = 0; i < uv.size(); ++i) {
+    if (system.unknown[i] != none) uv[i] = x[system.unknown[i]];
   }
   return summary;
 }

@@ -6,8 +6,6 @@
 #include <map>
 #include <numbers>
 
-#include "parallel.h"
-
 namespace rimline {
 namespace {
 
@@ -105,30 +103,17 @@ void add_wheels(const std::vector<Loop>& loops, Index point_count, std::vector<W
   }
 }
 
-std::vector<WeightedEdge> cotangent_edges(Points points, const Triangulation& mesh,
-                                          std::span<const double> evenness, const Run& run) {
+double cotangent_weight(Points points, const Triangulation& mesh, Index t, int c,
+                        std::span<const double> evenness) {
   constexpr double least = 1e-3, most = 100;
-  std::vector<std::size_t> first(mesh.triangles.size() + 1, 0);  // where the edges that a triangle owns begin
-  const auto owns = [&](Index t, int c) { return mesh.adjacent[t][c] < t; };  // also where there is none
-  for (Index t = 0; t < mesh.size(); ++t) first[t + 1] = first[t] + owns(t, 0) + owns(t, 1) + owns(t, 2);
-  std::vector<WeightedEdge> edges(first.back());
-  parallel_for_each(mesh.triangles.size(), Stage::Refine, run, [&](Index t) {
-    std::size_t at = first[t];
-    const Triangle& v = mesh.triangles[t];
-    for (int c = 0; c < 3; ++c) {
-      if (!owns(t, c)) continue;
-      const Index a = v[next(c)], b = v[previous(c)], other = mesh.adjacent[t][c];
-      double weight = cotangent(points[v[c]], points[a], points[b]);
-      if (other != none) {
-        weight +=
-            cotangent(points[mesh.triangles[other][mesh.corner_across(other, t)]], points[a], points[b]);
-      }
-      weight = std::clamp(0.5 * weight, least, most);
-      if (!evenness.empty()) weight = std::pow(weight, 1 - std::max(evenness[a], evenness[b]));
-      edges[at++] = {a, b, weight};
-    }
-  });
-  return edges;
+  const Triangle& v = mesh.triangles[t];
+  const Index a = v[next(c)], b = v[previous(c)], other = mesh.adjacent[t][c];
+  double weight = cotangent(points[v[c]], points[a], points[b]);
+  if (other != none)
+    weight += cotangent(points[mesh.triangles[other][mesh.corner_across(other, t)]], points[a], points[b]);
+  weight = std::clamp(0.5 * weight, least, most);
+  if (!evenness.empty()) weight = std::pow(weight, 1 - std::max(evenness[a], evenness[b]));
+  return weight;
 }
 
 }  // namespace rimline

@@ -29,11 +29,12 @@ void join_islands(const Neighbours& neighbours, const std::vector<char>& fixed,
 // of a regular polygon is to its corners. The nodes follow the points.
 void add_wheels(const std::vector<Loop>& loops, Index point_count, std::vector<WeightedEdge>& edges);
 
-// Half the cotangents of the angles opposite to each edge, in space: a discrete harmonic map (Pinkall &
-// Polthier 1993). Kept within [least, most], as an embedding needs positive weights (Tutte 1963; Floater
-// 1997) and double precision wants them within a few decades of each other. Where `evenness` is given (one
-// value of 0 to 1 per point), weights are drawn towards 1 by the larger value of the edge's ends.
-std::vector<WeightedEdge> cotangent_edges(Points points, const Triangulation& mesh,
-                                          std::span<const double> evenness, const Run& run);
+// Half the cotangents of the angles opposite to the edge at corner c of triangle t, in space: a discrete
+// harmonic map (Pinkall & Polthier 1993). The same to the last bit from both sides of the edge. Kept within
+// [least, most], as an embedding needs positive weights (Tutte 1963; Floater 1997) and double precision wants
+// them within a few decades of each other. Where `evenness` is given (one value of 0 to 1 per point), weights
+// are drawn towards 1 by the larger value of the edge's ends.
+double cotangent_weight(Points points, const Triangulation& mesh, Index t, int c,
+                        std::span<const double> evenness);
 
 }  // namespace rimline
