@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cstddef>
 #include <thread>
+#include <vector>
 
 #include "rimline/run.h"
 
@@ -59,6 +60,29 @@ void parallel_for_each(std::size_t count, Stage stage, const Run& run, const Bod
   parallel_slices(count, stage, run, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(static_cast<Index>(i));
   });
+}
+
+// What the calls of body(i, found) append to `found`, for i from 0 to count - 1, in this order. `grain` is
+// the number of items in one task.
+template <class Item, class Body>
+std::vector<Item> parallel_gather(std::size_t count, Stage stage, const Run& run, const Body& body,
+                                  std::size_t grain = 4096) {
+  std::vector<std::vector<Item>> found((count + grain - 1) / grain);
+  parallel_slices(
+      found.size(), stage, run,
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t s = first; s < last; ++s) {
+          const std::size_t end = std::min(count, (s + 1) * grain);
+          for (std::size_t i = s * grain; i < end; ++i) body(static_cast<Index>(i), found[s]);
+        }
+      },
+      1);
+  std::size_t total = 0;
+  for (const auto& items : found) total += items.size();
+  std::vector<Item> all;
+  all.reserve(total);
+  for (const auto& items : found) all.insert(all.end(), items.begin(), items.end());
+  return all;
 }
 
 }  // namespace rimline

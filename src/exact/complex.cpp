@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact/complex.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -13,45 +14,66 @@ double circumradius(Point a, Point b, Point c) {
   return distance(a, b) * distance(b, c) * distance(c, a) / (2 * twice_area);
 }
 
+void Complex::put_at_vertex(Index vertex, Index triangle) {
+  Place& place = stars_[vertex];
+  if (place.count == place.room) {  // moves to the end, with twice the room
+    const std::size_t first = at_vertex_.size();
+    place.room = std::max(8u, 2 * place.room);
+    at_vertex_.resize(first + place.room, none);
+    std::copy_n(at_vertex_.begin() + place.first, place.count, at_vertex_.begin() + first);
+    place.first = first;
+  }
+  at_vertex_[place.first + place.count++] = triangle;
+}
+
 void Complex::add(const Triangle& triangle) {
-  for (const Index v : triangle) stars_[v].push_back(size());
+  const Index id = size();
+  std::array<Index, 3> beside{none, none, none};
+  for (int i = 0; i < 3; ++i) {
+    const Index a = triangle[i], b = triangle[(i + 1) % 3];
+    Index found[2];
+    if (edge(a, b, found) != 1) continue;
+    Index& back = beside_[found[0]][edge_of(found[0], a, b)];
+    if (back != none) continue;
+    beside[i] = found[0];
+    back = id;
+  }
+  for (const Index v : triangle) put_at_vertex(v, id);
   triangles_.push_back(triangle);
+  beside_.push_back(beside);
   radii_.push_back(circumradius(points_[triangle[0]], points_[triangle[1]], points_[triangle[2]]));
 }
 
 void Complex::keep_only(const std::vector<std::uint8_t>& kept) {
-  const std::vector<Triangle> before = std::move(triangles_);
-  triangles_.clear();
-  radii_.clear();
-  for (auto& star : stars_) star.clear();
-  for (std::size_t t = 0; t < before.size(); ++t) {
-    if (kept[t]) add(before[t]);
+  std::vector<Index> id(size(), none);  // of the triangles that stay
+  Index count = 0;
+  for (Index t = 0; t < size(); ++t) {
+    if (kept[t]) id[t] = count++;
+  }
+  if (count == size()) return;
+  for (Index t = 0; t < size(); ++t) {
+    if (id[t] == none) continue;
+    triangles_[id[t]] = triangles_[t];
+    radii_[id[t]] = radii_[t];
+    for (int i = 0; i < 3; ++i) beside_[id[t]][i] = beside_[t][i] == none ? none : id[beside_[t][i]];
+  }
+  triangles_.resize(count);
+  beside_.resize(count);
+  radii_.resize(count);
+  for (Place& place : stars_) {
+    const auto first = at_vertex_.begin() + place.first;
+    const auto last = std::transform(first, first + place.count, first, [&](Index t) { return id[t]; });
+    place.count = static_cast<std::uint32_t>(std::remove(first, last, none) - first);
   }
 }
 
 int Complex::edge(Index a, Index b, Index (&found)[2]) const {
   int count = 0;
-  for (const Index t : stars_[a]) {
+  for (const Index t : star(a)) {
     const Triangle& x = triangles_[t];
     if ((x[0] == b || x[1] == b || x[2] == b) && count < 2) found[count++] = t;
   }
   return count;
-}
-
-Index Complex::across(Index triangle, Index a, Index b) const {
-  Index found[2];
-  const int count = edge(a, b, found);
-  for (int i = 0; i < count; ++i) {
-    if (found[i] != triangle) return found[i];
-  }
-  return none;
-}
-
-Index Complex::apex(Index triangle, Index a, Index b) const {
-  for (const Index v : triangles_[triangle]) {
-    if (v != a && v != b) return v;
-  }
-  return none;
 }
 
 bool Complex::can_add(const Triangle& triangle) const {
@@ -91,7 +113,7 @@ double Complex::direction(Index from, Index to) const {
 // Whether the corner between a and b at the vertex leaves the other corners there alone, seen in its plane.
 bool Complex::fits_around(Index vertex, Index a, Index b) const {
   constexpr double turn = 2 * std::numbers::pi, overlap = 0.1;  // radians that corners may overlap by
-  if (stars_[vertex].empty()) return true;
+  if (star(vertex).empty()) return true;
   if (closes_beside_others(vertex, a, b)) return false;
   const auto corner = [&](Index x, Index y, double& middle, double& half) {
     const double from = direction(vertex, x), step = std::remainder(direction(vertex, y) - from, turn);
@@ -100,7 +122,7 @@ bool Complex::fits_around(Index vertex, Index a, Index b) const {
   };
   double middle, half, other_middle, other_half;
   corner(a, b, middle, half);
-  for (const Index t : stars_[vertex]) {
+  for (const Index t : star(vertex)) {
     const Triangle& x = triangles_[t];
     const int at = x[0] == vertex ? 0 : x[1] == vertex ? 1 : 2;
     corner(x[(at + 1) % 3], x[(at + 2) % 3], other_middle, other_half);
@@ -112,12 +134,12 @@ bool Complex::fits_around(Index vertex, Index a, Index b) const {
 // Whether a corner between a and b would close a fan all around while another fan exists.
 bool Complex::closes_beside_others(Index vertex, Index a, Index b) const {
   std::size_t steps = 0;
-  Index at = a;
-  for (Index t = across(none, vertex, a); t != none; t = across(t, vertex, at)) {
+  Index at = a, found[2];
+  for (Index t = edge(vertex, a, found) > 0 ? found[0] : none; t != none; t = across(t, vertex, at)) {
     at = apex(t, vertex, at);
-    if (++steps > stars_[vertex].size()) return true;
+    if (++steps > star(vertex).size()) return true;
   }
-  return at == b && steps > 0 && steps != stars_[vertex].size();
+  return at == b && steps > 0 && steps != star(vertex).size();
 }
 
 }  // namespace rimline::exact

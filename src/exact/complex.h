@@ -2,8 +2,10 @@
 // A set of triangles over the points that is a surface with boundary, but for pinches.
 #pragma once
 
-#include <boost/container/small_vector.hpp>
+#include <array>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "exact/frame.h"
@@ -30,7 +32,9 @@ class Complex {
   const Triangle& triangle(Index t) const { return triangles_[t]; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   // The ids of the triangles at a vertex, in no particular order.
-  const auto& star(Index vertex) const { return stars_[vertex]; }
+  std::span<const Index> star(Index vertex) const {
+    return {at_vertex_.data() + stars_[vertex].first, stars_[vertex].count};
+  }
 
   void add(const Triangle& triangle);
   // Leaves out the triangles with a zero; the ids of the others move up.
@@ -40,14 +44,33 @@ class Complex {
 
   // The triangles at edge ab: their number (0 to 2) and ids.
   int edge(Index a, Index b, Index (&found)[2]) const;
-  // The other triangle at edge ab, or `none`.
-  Index across(Index triangle, Index a, Index b) const;
+  // The other triangle at edge ab of a triangle, or `none`.
+  Index across(Index triangle, Index a, Index b) const { return beside_[triangle][edge_of(triangle, a, b)]; }
+  // The same for the edge that leaves its corner i, in {0, 1, 2}.
+  Index across(Index triangle, int i) const { return beside_[triangle][i]; }
   // The vertex of the triangle that is neither a nor b.
-  Index apex(Index triangle, Index a, Index b) const;
+  Index apex(Index triangle, Index a, Index b) const {
+    return triangles_[triangle][(edge_of(triangle, a, b) + 2) % 3];
+  }
   double radius(Index t) const { return radii_[t]; }  // of its circumcircle
-  void flip(Index t) { std::swap(triangles_[t][1], triangles_[t][2]); }
+  void flip(Index t) {
+    std::swap(triangles_[t][1], triangles_[t][2]);
+    std::swap(beside_[t][0], beside_[t][2]);
+  }
 
  private:
+  // Where the triangles of a vertex are in `at_vertex_`, and the room for them there.
+  struct Place {
+    std::size_t first = 0;
+    std::uint32_t count = 0, room = 0;
+  };
+
+  // The edge of the triangle that joins a and b, named by the corner that it leaves.
+  int edge_of(Index triangle, Index a, Index b) const {
+    const Triangle& x = triangles_[triangle];
+    return x[2] != a && x[2] != b ? 0 : x[0] != a && x[0] != b ? 1 : 2;
+  }
+  void put_at_vertex(Index vertex, Index triangle);
   bool folds_back(Index a, Index b, Index c, Index d) const;
   bool fits_around(Index vertex, Index a, Index b) const;
   bool closes_beside_others(Index vertex, Index a, Index b) const;
@@ -56,8 +79,10 @@ class Complex {
   Points points_;
   const std::vector<Frame>& frames_;
   std::vector<Triangle> triangles_;
+  std::vector<std::array<Index, 3>> beside_;  // across the edge that leaves each corner, or none
   std::vector<double> radii_;
-  std::vector<boost::container::small_vector<Index, 8>> stars_;
+  std::vector<Place> stars_;
+  std::vector<Index> at_vertex_;
 };
 
 }  // namespace rimline::exact

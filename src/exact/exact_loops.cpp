@@ -59,7 +59,8 @@ class Survey {
         spacing_(local_spacing(neighbours)),
         frames_(fit_frames(points, neighbours, run)),
         complex_(propose_surface(points, frames_, find_stars(points, neighbours, spacing_, frames_, run),
-                                 spacing_, largest_proposed, run)) {}
+                                 spacing_, largest_proposed, run)),
+        sizes_(complex_, neighbours) {}
 
   BoundarySurvey find() {
     search();
@@ -89,8 +90,7 @@ class Survey {
     RimSearchSummary& summary = result_.search;
     summary.history.assign(options_.rim_generations, {});
     for (int round = 0; round < 2; ++round) {
-      LocalSizes sizes(complex_, neighbours_);
-      RimSearchResult found = search_rim(complex_, sizes, bar_gaps(), o, run_);
+      RimSearchResult found = search_rim(complex_, sizes_, bar_gaps(), o, run_);
       summary.doubtful += found.doubtful;
       summary.groups += found.groups;
       summary.greedy += found.greedy;
@@ -102,11 +102,23 @@ class Survey {
       kept_ = std::move(found.kept);
       // The large triangles that are gone had turned edges of the rim; with them out of the way the notches
       // they leave can be seen for what they are, so the search looks again.
-      if (round == 0) {
-        complex_.keep_only(kept_);
-        fill_notches(complex_, spacing_, largest_mended);
-      }
+      if (round == 0) keep_and_mend();
     }
+  }
+
+  void keep_and_mend() {
+    std::vector<std::uint8_t> changed(points_.size(), 0);
+    const auto mark = [&](const Triangle& t) {
+      for (const Index v : t) changed[v] = 1;
+    };
+    for (Index t = 0; t < complex_.size(); ++t) {
+      if (!kept_[t]) mark(complex_.triangle(t));
+    }
+    complex_.keep_only(kept_);
+    const Index kept = complex_.size();
+    fill_notches(complex_, spacing_, largest_mended);
+    for (Index t = kept; t < complex_.size(); ++t) mark(complex_.triangle(t));
+    sizes_.forget(changed, run_);
   }
 
   // Marks the points of rims that are no boundary, as they stand: at creases and thin walls stars do not
@@ -123,22 +135,26 @@ class Survey {
 
   void measure_sheets() {
     result_.components.resize(sheets_.count());
-    std::vector<std::array<Index, 2>> vertices;  // (component, vertex), once per corner
     std::vector<std::size_t> edges_twice(sheets_.count(), 0);
     for (Index t = 0; t < complex_.size(); ++t) {
       if (!kept_[t]) continue;
       const Index c = sheets_.of_triangle[t];
       ++result_.components[c].triangles;
-      const Triangle& x = complex_.triangle(t);
       for (int k = 0; k < 3; ++k) {
-        vertices.push_back({c, x[k]});
-        const Index other = complex_.across(t, x[k], x[(k + 1) % 3]);
+        const Index other = complex_.across(t, k);
         edges_twice[c] += other != none && kept_[other] ? 1 : 2;
       }
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    for (const auto& [c, v] : vertices) ++result_.components[c].points;
+    std::vector<Index> here;  // components that a vertex is on
+    for (Index v = 0; v < complex_.vertices(); ++v) {
+      here.clear();
+      for (const Index t : complex_.star(v)) {
+        const Index c = sheets_.of_triangle[t];
+        if (c == none || std::find(here.begin(), here.end(), c) != here.end()) continue;
+        here.push_back(c);
+        ++result_.components[c].points;
+      }
+    }
     for (Index c = 0; c < sheets_.count(); ++c) {
       SurfaceComponent& s = result_.components[c];
       s.orientable = sheets_.orientable[c];
@@ -244,7 +260,6 @@ class Survey {
   }
 
   void rate_points() {
-    LocalSizes sizes(complex_, neighbours_);
     const RimWeights weights;
     result_.probability.assign(points_.size(), static_cast<float>(far_from_rims()));
     for (const Candidate& c : candidates_) {
@@ -253,10 +268,10 @@ class Survey {
       for (std::size_t i = 0; i < n; ++i) {
         const std::array<Index, 5> run{ids[(i + n - 2) % n], ids[(i + n - 1) % n], ids[i], ids[(i + 1) % n],
                                        ids[(i + 2) % n]};
-        rate(ids[i], c, notch_log_odds(complex_, sizes, weights, run), true);
+        rate(ids[i], c, notch_log_odds(complex_, sizes_, weights, run), true);
         // The point behind the next edge would be on the rim if its triangle were left out.
         const Index inner = complex_.apex(triangle_at(run[2], run[3]), run[2], run[3]);
-        rate(inner, c, notch_log_odds(complex_, sizes, weights, {run[1], run[2], inner, run[3], run[4]}),
+        rate(inner, c, notch_log_odds(complex_, sizes_, weights, {run[1], run[2], inner, run[3], run[4]}),
              false);
       }
     }
@@ -302,6 +317,7 @@ class Survey {
   std::vector<double> spacing_;
   std::vector<Frame> frames_;
   Complex complex_;
+  LocalSizes sizes_;
   Kept kept_;
   Sheets sheets_;
   std::vector<Candidate> candidates_;

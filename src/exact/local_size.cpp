@@ -4,37 +4,53 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/ranks.h"
+#include "parallel.h"
+
 namespace rimline::exact {
 
 const LocalSize& LocalSizes::at(Index vertex) {
   LocalSize& size = known_[vertex];
-  if (size.median >= 0) return size;
-  radii_.clear();
+  if (size.typical < 0) size = measure(vertex, radii_);
+  return size;
+}
+
+LocalSize LocalSizes::measure(Index vertex, std::vector<double>& radii) const {
+  radii.clear();
   const auto take = [&](Index v) {
-    for (const Index t : complex_.star(v)) radii_.push_back(complex_.radius(t));
+    for (const Index t : complex_.star(v)) radii.push_back(complex_.radius(t));
   };
   take(vertex);
-  for (const Index v : neighbours_.of(vertex, std::min(16, neighbours_.k))) take(v);
-  if (radii_.empty()) {
-    size.median = neighbours_.distances_of(vertex)[0];
-    return size;
-  }
-  const std::size_t n = radii_.size();
-  const auto at = [&](std::size_t rank) { return radii_.begin() + rank; };
-  std::nth_element(at(0), at(n / 2), radii_.end());
-  std::nth_element(at(0), at(n / 4), at(n / 2));
-  std::nth_element(at(n / 2), at(3 * n / 4), radii_.end());
-  size.median = *at(n / 2);
-  size.spread = (*at(3 * n / 4) - *at(n / 4)) / size.median;
-  return size;
+  for (const Index v : neighbours_.of(vertex, std::min(around, neighbours_.k))) take(v);
+  if (radii.empty()) return {neighbours_.distances_of(vertex)[0], 0};
+  const std::size_t n = radii.size();
+  const auto [lower, typical, upper] = at_ranks(radii, {n / 4, 5 * n / 8, 3 * n / 4});
+  return {typical, (upper - lower) / typical};
+}
+
+void LocalSizes::find(const std::function<bool(Index)>& wanted, const Run& run) {
+  parallel_slices(known_.size(), Stage::Loops, run, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> radii;
+    for (Index v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
+      if (known_[v].typical < 0 && wanted(v)) known_[v] = measure(v, radii);
+    }
+  });
+}
+
+void LocalSizes::forget(const std::vector<std::uint8_t>& changed, const Run& run) {
+  parallel_for_each(known_.size(), Stage::Loops, run, [&](Index v) {
+    bool near = changed[v];
+    for (const Index w : neighbours_.of(v, std::min(around, neighbours_.k))) near |= changed[w] != 0;
+    if (near) known_[v] = {};
+  });
 }
 
 double LocalSizes::log_ratio(const Triangle& triangle) {
   constexpr double most = 3;
-  double median = 0;
-  for (const Index v : triangle) median += at(v).median / 3;
+  double typical = 0;
+  for (const Index v : triangle) typical += at(v).typical / 3;
   const Points p = complex_.points();
-  return std::min(most, std::log(circumradius(p[triangle[0]], p[triangle[1]], p[triangle[2]]) / median));
+  return std::min(most, std::log(circumradius(p[triangle[0]], p[triangle[1]], p[triangle[2]]) / typical));
 }
 
 double LocalSizes::own(Index vertex) {

@@ -84,7 +84,7 @@ class Proposer {
     const Triangle triangle = complex_.triangle(t);
     for (int i = 0; i < 3; ++i) {
       const Index a = triangle[i], b = triangle[(i + 1) % 3];
-      if (complex_.across(t, a, b) != none) continue;
+      if (complex_.across(t, i) != none) continue;
       offer(t, a, b);
       offer(t, b, a);
     }

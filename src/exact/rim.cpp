@@ -6,10 +6,7 @@
 namespace rimline::exact {
 namespace {
 
-Index kept_across(const Complex& complex, const Kept& kept, Index t, Index a, Index b) {
-  const Index other = complex.across(t, a, b);
-  return other != none && kept[other] ? other : none;
-}
+Index if_kept(const Kept& kept, Index t) { return t != none && kept[t] ? t : none; }
 
 // Cuts a closed walk at each vertex it comes back to.
 void split_simple(const std::vector<Index>& walk, std::vector<std::vector<Index>>& loops) {
@@ -35,7 +32,7 @@ Index walk_fan(const Complex& complex, const Kept& kept, Index vertex, Index t, 
   Index at = from;
   while (true) {
     at = complex.apex(t, vertex, at);
-    const Index next = at == from ? none : kept_across(complex, kept, t, vertex, at);
+    const Index next = at == from ? none : if_kept(kept, complex.across(t, vertex, at));
     if (next == none) break;
     t = next;
   }
@@ -57,7 +54,7 @@ std::vector<std::vector<Index>> walk_rims(const Complex& complex, const Kept& ke
     if (!kept[t]) continue;
     for (int i = 0; i < 3; ++i) {
       Index a = complex.triangle(t)[i], b = complex.triangle(t)[(i + 1) % 3], at = t;
-      if (kept_across(complex, kept, t, a, b) != none) continue;
+      if (if_kept(kept, complex.across(t, i)) != none) continue;
       std::vector<Index> walk;
       while (!(seen[at] & bit_of(at, a, b))) {
         seen[at] |= bit_of(at, a, b);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "parallel.h"
 #include "random.h"
 #include "union_find.h"
 
@@ -25,46 +26,67 @@ struct Doubt {
 
 constexpr double far_from_usual = 0.35;  // log_ratio beyond the spread that lets a hole start inside
 
-std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
-                                      const std::vector<std::uint8_t>& barred, double doubtful) {
+bool is_at_rim(const Complex& complex, Index t) {
+  return complex.across(t, 0) == none || complex.across(t, 1) == none || complex.across(t, 2) == none;
+}
+
+// Whether a triangle is larger than the smallest in the stars of its corners by so much that all around it
+// have to be asked. Most are not.
+std::vector<std::uint8_t> large_triangles(const Complex& complex, const Run& run) {
+  std::vector<double> least(complex.vertices(), 1e300);
+  parallel_for_each(complex.vertices(), Stage::Loops, run, [&](Index v) {
+    for (const Index t : complex.star(v)) least[v] = std::min(least[v], complex.radius(t));
+  });
+  std::vector<std::uint8_t> large(complex.size());
+  parallel_for_each(complex.size(), Stage::Loops, run, [&](Index t) {
+    double mean = 0;
+    for (const Index v : complex.triangle(t)) mean += least[v] / 3;
+    large[t] = complex.radius(t) >= 1.4 * mean;
+  });
+  return large;
+}
+
+// The triangles that doubt starts from, ascending.
+std::vector<Index> first_doubts(const Complex& complex, LocalSizes& sizes,
+                                const std::vector<std::uint8_t>& barred, double doubtful, const Run& run) {
   const auto is_barred = [&](const Triangle& x) { return barred[x[0]] || barred[x[1]] || barred[x[2]]; };
-  std::vector<std::uint8_t> depth(complex.size(), 0);
-  std::vector<Index> queue;
-  const auto push = [&](Index t, int d) {
-    depth[t] = static_cast<std::uint8_t>(d);
-    queue.push_back(t);
-  };
-  constexpr int deepest = 12;  // triangles from the rim
-  for (Index t = 0; t < complex.size(); ++t) {
+  std::vector<std::uint8_t> asked = large_triangles(complex, run);
+  parallel_for_each(complex.size(), Stage::Loops, run, [&](Index t) {
+    asked[t] = (asked[t] || is_at_rim(complex, t)) && !is_barred(complex.triangle(t));
+  });
+  sizes.find(
+      [&](Index v) {
+        const auto star = complex.star(v);
+        return std::any_of(star.begin(), star.end(), [&](Index t) { return asked[t]; });
+      },
+      run);
+  return parallel_gather<Index>(complex.size(), Stage::Loops, run, [&](Index t, std::vector<Index>& found) {
+    if (!asked[t]) return;
     const Triangle& x = complex.triangle(t);
-    if (is_barred(x)) continue;
-    bool rim = false;
-    for (int i = 0; i < 3; ++i) rim |= complex.across(t, x[i], x[(i + 1) % 3]) == none;
-    // Most triangles are small: their own stars tell before all around are asked.
-    if (!rim) {
-      double least = 0;
-      for (const Index v : x) {
-        const Points p = complex.points();
-        double m = 1e300;
-        for (const Index s : complex.star(v)) m = std::min(m, complex.radius(s));
-        least += m / 3;
-        (void)p;
-      }
-      if (complex.radius(t) < 1.4 * least) continue;
-    }
-    const double ratio = sizes.log_ratio(x);
-    if (rim ? ratio > doubtful : ratio > far_from_usual + sizes.spread(x)) push(t, 1);
-  }
+    const double ratio = sizes.log_ratio(x);  // all sizes it needs are known
+    if (is_at_rim(complex, t) ? ratio > doubtful : ratio > far_from_usual + sizes.spread(x))
+      found.push_back(t);
+  });
+}
+
+std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
+                                      const std::vector<std::uint8_t>& barred, double doubtful,
+                                      const Run& run) {
+  const auto is_barred = [&](const Triangle& x) { return barred[x[0]] || barred[x[1]] || barred[x[2]]; };
+  constexpr int deepest = 12;  // triangles from the rim
+  std::vector<Index> queue = first_doubts(complex, sizes, barred, doubtful, run);
+  std::vector<std::uint8_t> depth(complex.size(), 0);
+  for (const Index t : queue) depth[t] = 1;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const Index t = queue[i];
     if (depth[t] >= deepest) continue;
-    const Triangle& x = complex.triangle(t);
     for (int k = 0; k < 3; ++k) {
-      const Index other = complex.across(t, x[k], x[(k + 1) % 3]);
+      const Index other = complex.across(t, k);
       if (other == none || depth[other] || is_barred(complex.triangle(other)) ||
           sizes.log_ratio(complex.triangle(other)) <= doubtful)
         continue;
-      push(other, depth[t] + 1);
+      depth[other] = static_cast<std::uint8_t>(depth[t] + 1);
+      queue.push_back(other);
     }
   }
   std::sort(queue.begin(), queue.end());
@@ -72,9 +94,9 @@ std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
 }
 
 Doubt collect(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
-              const RimSearchOptions& options) {
+              const RimSearchOptions& options, const Run& run) {
   Doubt doubt;
-  doubt.triangles = doubtful_triangles(complex, sizes, barred, options.doubtful);
+  doubt.triangles = doubtful_triangles(complex, sizes, barred, options.doubtful, run);
   for (const Index t : doubt.triangles) {
     const double ratio = sizes.log_ratio(complex.triangle(t));
     doubt.log_ratio.push_back(ratio);
@@ -92,7 +114,7 @@ Doubt collect(const Complex& complex, LocalSizes& sizes, const std::vector<std::
     std::array<double, 3> contrast;
     for (int k = 0; k < 3; ++k) {
       const Index a = x[k], b = x[(k + 1) % 3];
-      beside[k] = complex.across(t, a, b);
+      beside[k] = complex.across(t, k);
       contrast[k] = 0;
       if (beside[k] == none) continue;
       const double own = std::max(sizes.own(complex.apex(beside[k], a, b)), complex.radius(beside[k]));
@@ -356,13 +378,46 @@ class GroupSearch {
   std::uint32_t epoch_ = 0;
 };
 
+// What the search of one group finds, but for the triangles that it keeps.
+struct GroupResult {
+  double greedy = 0, best = 0;
+  std::vector<double> history_best, history_mean;  // until it stopped; its last generation goes on
+};
+
+GroupResult search_group(GroupSearch& search, std::size_t bits, const RimSearchOptions& options) {
+  GroupResult result;
+  search.load(search.by_size(0.8));
+  result.greedy = search.fitness_now();
+  if (options.generations == 0) return result;
+  auto members = search.first_population(std::min<int>(options.population, 2 + 2 * bits));
+  const auto better = [](const auto& a, const auto& b) { return a.fitness < b.fitness; };
+  int stale = 0;
+  for (int i = 0; i < options.generations; ++i) {
+    const bool agree = std::all_of(members.begin(), members.end(),
+                                   [&](const auto& m) { return m.genes == members[0].genes; });
+    const bool goes_on = !agree && stale < 4;
+    if (goes_on) search.breed(members);
+    const double best = std::max_element(members.begin(), members.end(), better)->fitness;
+    double mean = 0;
+    for (const auto& m : members) mean += m.fitness / members.size();
+    result.history_best.push_back(best);
+    result.history_mean.push_back(mean);
+    if (!goes_on) break;
+    stale = mean > best - 1e-9 ? stale + 1 : 0;
+  }
+  auto winner = std::max_element(members.begin(), members.end(), better);
+  search.load(winner->genes);
+  result.best = winner->fitness + search.close_doubtful_holes();
+  return result;
+}
+
 }  // namespace
 
 RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
                            const RimSearchOptions& options, const Run& run) {
   RimSearchResult result;
   result.kept.assign(complex.size(), 1);
-  const Doubt doubt = collect(complex, sizes, barred, options);
+  const Doubt doubt = collect(complex, sizes, barred, options, run);
   const Corners corners(complex, doubt.vertices);
   const std::vector<Group> groups = group(doubt);
   result.doubtful = doubt.triangles.size();
@@ -370,31 +425,22 @@ RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std:
   result.history_best.assign(options.generations, 0);
   result.history_mean.assign(options.generations, 0);
   const double log_points = std::max(0.0, std::log(complex.vertices() / 1000.0));
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (g % 256 == 0) run.progress(Stage::Loops, g, groups.size());
+  // Groups share no vertex: none reads a byte of `kept` that another writes.
+  std::vector<GroupResult> found(groups.size());
+  parallel_tasks(groups.size(), Stage::Loops, run, [&](std::size_t g) {
     GroupSearch search(doubt, corners, groups[g], options.weights, result.kept, log_points,
                        Random(run.seed, doubt.triangles[groups[g][0]]));
-    search.load(search.by_size(0.8));
-    result.greedy += search.fitness_now();
-    if (options.generations == 0) continue;
-    auto members = search.first_population(std::min<int>(options.population, 2 + 2 * groups[g].size()));
-    const auto better = [](const auto& a, const auto& b) { return a.fitness < b.fitness; };
-    double best = 0;
-    int stale = 0;
-    for (int i = 0; i < options.generations; ++i) {
-      const bool agree = std::all_of(members.begin(), members.end(),
-                                     [&](const auto& m) { return m.genes == members[0].genes; });
-      if (!agree && stale < 4) search.breed(members);
-      best = std::max_element(members.begin(), members.end(), better)->fitness;
-      double mean = 0;
-      for (const auto& m : members) mean += m.fitness / members.size();
-      result.history_best[i] += best;
-      result.history_mean[i] += mean;
-      stale = mean > best - 1e-9 ? stale + 1 : 0;
+    found[g] = search_group(search, groups[g].size(), options);
+  });
+  run.check_cancel();
+  for (const GroupResult& g : found) {
+    result.greedy += g.greedy;
+    result.best += g.best;
+    for (std::size_t i = 0; i < result.history_best.size(); ++i) {
+      const std::size_t last = std::min(i, g.history_best.size() - 1);
+      result.history_best[i] += g.history_best[last];
+      result.history_mean[i] += g.history_mean[last];
     }
-    auto winner = std::max_element(members.begin(), members.end(), better);
-    search.load(winner->genes);
-    result.best += winner->fitness + search.close_doubtful_holes();
   }
   return result;
 }

@@ -19,7 +19,7 @@ std::vector<Index> walk_sheet(Complex& complex, const Kept& kept, Index first, I
     const Triangle t = complex.triangle(members[i]);
     for (int k = 0; k < 3; ++k) {
       const Index a = t[k], b = t[(k + 1) % 3];
-      const Index other = complex.across(members[i], a, b);
+      const Index other = complex.across(members[i], k);
       if (other == none || !kept[other]) continue;
       const bool agrees = !has_directed_edge(complex.triangle(other), a, b);
       if (of_triangle[other] == none) {

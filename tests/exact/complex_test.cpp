@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "exact/rim.h"
 
 using namespace rimline;
@@ -51,4 +53,46 @@ TEST_CASE("a triangle that folds back over its neighbour can not be added") {
   Complex complex(points, flat);
   complex.add({0, 1, 2});
   CHECK_FALSE(complex.can_add({0, 1, 3}));
+}
+
+TEST_CASE(
+    "what is across an edge is what a look at all triangles finds, after adding, leaving out and turning") {
+  std::vector<Point> points;
+  for (int y = 0; y < 12; ++y) {
+    for (int x = 0; x < 12; ++x) points.push_back({double(x), double(y), 0});
+  }
+  const std::vector<Frame> frames(points.size(), Frame{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0});
+  Complex complex(points, frames);
+  const auto check = [&] {
+    for (Index t = 0; t < complex.size(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const Index a = complex.triangle(t)[i], b = complex.triangle(t)[(i + 1) % 3];
+        Index other = none;
+        for (Index s = 0; s < complex.size(); ++s) {
+          const auto& x = complex.triangle(s);
+          if (s != t && std::count(x.begin(), x.end(), a) && std::count(x.begin(), x.end(), b)) other = s;
+        }
+        REQUIRE(complex.across(t, i) == other);
+        REQUIRE(complex.across(t, a, b) == other);
+        REQUIRE(complex.across(t, b, a) == other);
+        REQUIRE(complex.apex(t, a, b) == complex.triangle(t)[(i + 2) % 3]);
+      }
+    }
+  };
+  for (Index y = 0; y < 11; ++y) {
+    for (Index x = 0; x < 11; ++x) {
+      const Index a = 12 * y + x;
+      complex.add({a, a + 1, a + 12});
+      complex.add({a + 13, a + 12, a + 1});
+    }
+  }
+  check();
+  Kept kept(complex.size(), 1);
+  for (Index t = 0; t < complex.size(); t += 5) kept[t] = 0;
+  const Triangle gone = complex.triangle(0);
+  complex.keep_only(kept);
+  check();
+  complex.add(gone);
+  for (Index t = 0; t < complex.size(); t += 3) complex.flip(t);
+  check();
 }

@@ -94,7 +94,9 @@ TEST_CASE("the counts of random triangles are those of their sorted edges, for a
     joins += pieces.join(e.a, e.b);
   }
   for (const int threads : {1, 2}) {
-    const MeshSummary m = measure_mesh(points, triangles, spacing, {}, Run{.threads = threads});
+    const MeshSummary m =
+        measure_mesh(points, triangles, spacing, {},
+                     Run{.seed = 1, .threads = threads, .on_progress = {}, .stop = nullptr});
     CHECK(m.edges == expected.edges);
     CHECK(m.boundary_edges == expected.boundary_edges);
     CHECK(m.nonmanifold_edges == expected.nonmanifold_edges);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exact/local_size.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "exact/frame.h"
+#include "exact/propose.h"
+#include "exact/ranks.h"
+#include "exact/star.h"
+#include "random.h"
+#include "rimline/neighbours.h"
+
+using namespace rimline;
+using namespace rimline::exact;
+
+namespace {
+
+std::vector<Point> random_sheet(int count) {
+  Random random(3);
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i)
+    points.push_back({random.uniform(), random.uniform(), 0.01 * random.uniform()});
+  return points;
+}
+
+Complex surface_of(Points points, const Neighbours& neighbours, const std::vector<Frame>& frames) {
+  const auto spacing = local_spacing(neighbours);
+  return propose_surface(points, frames, find_stars(points, neighbours, spacing, frames, {}), spacing, 3, {});
+}
+
+// Every value again and again, from the definition.
+LocalSize by_sorting(const Complex& complex, const Neighbours& neighbours, Index vertex) {
+  std::vector<double> radii;
+  for (const Index t : complex.star(vertex)) radii.push_back(complex.radius(t));
+  for (const Index v : neighbours.of(vertex, 16)) {
+    for (const Index t : complex.star(v)) radii.push_back(complex.radius(t));
+  }
+  std::sort(radii.begin(), radii.end());
+  const std::size_t n = radii.size();
+  return {radii[5 * n / 8], (radii[3 * n / 4] - radii[n / 4]) / radii[5 * n / 8]};
+}
+
+int differences(const Complex& complex, const Neighbours& neighbours, LocalSizes& sizes) {
+  int count = 0;
+  for (Index v = 0; v < complex.vertices(); ++v) {
+    const LocalSize a = sizes.at(v), b = by_sorting(complex, neighbours, v);
+    count += a.typical != b.typical || a.spread != b.spread;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("values at ranks are those of sorting, for spread out, tied, tiny, huge and infinite values") {
+  Random random(1);
+  const std::vector<double> odd{0.0, 5e-324, 1e-300, 1, 1, 1, 1e300, std::numeric_limits<double>::infinity()};
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<double> values(1 + random.below(120));
+    for (double& v : values) {
+      v = round % 3 == 0   ? odd[random.below(odd.size())]
+          : round % 3 == 1 ? random.uniform()
+                           : 1 + 1e-12 * random.uniform();
+    }
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t n = values.size();
+    const auto found = at_ranks(values, {n / 4, 5 * n / 8, 3 * n / 4});
+    REQUIRE(found[0] == sorted[n / 4]);
+    REQUIRE(found[1] == sorted[5 * n / 8]);
+    REQUIRE(found[2] == sorted[3 * n / 4]);
+  }
+}
+
+TEST_CASE("sizes found for all at once, and kept over changes elsewhere, are those of the definition") {
+  const auto points = random_sheet(3000);
+  const Neighbours neighbours = find_neighbours(points, 40, {});
+  const auto frames = fit_frames(points, neighbours, {});
+  Complex complex = surface_of(points, neighbours, frames);
+  LocalSizes sizes(complex, neighbours);
+  sizes.find([](Index v) { return v % 2 == 0; }, {});
+  CHECK(differences(complex, neighbours, sizes) == 0);
+
+  std::vector<std::uint8_t> kept(complex.size(), 1), changed(points.size(), 0);
+  for (Index t = 0; t < complex.size(); t += 97) {
+    kept[t] = 0;
+    for (const Index v : complex.triangle(t)) changed[v] = 1;
+  }
+  complex.keep_only(kept);
+  CHECK(differences(complex, neighbours, sizes) > 0);
+  sizes.forget(changed, {});
+  CHECK(differences(complex, neighbours, sizes) == 0);
+}
