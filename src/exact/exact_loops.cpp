@@ -30,7 +30,7 @@ const char* name(PointLabel label) {
 namespace exact {
 namespace {
 
-constexpr double largest_proposed = 3.0;  // spacings; the rim search takes away what is too much
+constexpr double largest_proposed = 4.0;  // spacings; the rim search takes away what is too much
 constexpr std::size_t least_gap = 6;  // points of a gap that is told from a boundary; smaller ones say little
 constexpr double largest_mended = 1.0;   // spacings; what notches it leaves are filled with at once
 constexpr std::size_t least_sheet = 10;  // triangles; smaller scraps are no surface
