@@ -67,6 +67,30 @@ double noise_level(Points points, const Neighbours& neighbours, const std::vecto
   return *lower / quartile;
 }
 
+double irregularity(const Neighbours& neighbours, const std::vector<double>& spacing) {
+  constexpr std::size_t most_asked = 4096, far = 11;
+  const auto n = static_cast<std::size_t>(neighbours.size());
+  if (neighbours.k <= static_cast<int>(far)) return 0;
+  const std::size_t stride = 1 + (n - 1) / most_asked;
+  double count = 0, sum = 0, squares = 0;
+  std::vector<double> crowding;
+  for (std::size_t i = 0; i < n; i += stride) {
+    const auto distance = neighbours.distances_of(static_cast<Index>(i));
+    const double nearest = distance[0] / spacing[i];
+    count += 1;
+    sum += nearest;
+    squares += nearest * nearest;
+    crowding.push_back(spacing[i] / distance[far]);
+  }
+  const auto middle = crowding.begin() + static_cast<std::ptrdiff_t>(crowding.size() / 2);
+  std::nth_element(crowding.begin(), middle, crowding.end());
+  const double variation =
+      std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count))) * count / sum;
+  const double by_nearest = std::clamp((variation - 0.25) / 0.05, 0.0, 1.0);
+  const double by_crowding = std::clamp((0.55 - *middle) / 0.015, 0.0, 1.0);
+  return by_nearest * by_crowding;
+}
+
 double noise_weight(double level) {
   constexpr double least = 0.07, full = 0.09;
   return std::clamp((level - least) / (full - least), 0.0, 1.0);

@@ -15,6 +15,7 @@
 #include "exact/odds.h"
 #include "exact/propose.h"
 #include "exact/rim.h"
+#include "exact/rim_curve.h"
 #include "exact/rim_search.h"
 #include "exact/sheet.h"
 #include "exact/star.h"
@@ -49,12 +50,13 @@ void check(Points points, const ExactLoopOptions& options) {
 class Survey {
  public:
   Survey(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
-         const ExactLoopOptions& options, double length_exponent, const Run& run)
+         const ExactLoopOptions& options, double length_exponent, const Blur& blur, const Run& run)
       : points_(points),
         neighbours_(neighbours),
         scores_(scores),
         options_(options),
         length_exponent_(length_exponent),
+        blur_(blur),
         run_(run),
         spacing_(local_spacing(neighbours)),
         frames_(fit_frames(points, neighbours, run)),
@@ -70,6 +72,8 @@ class Survey {
     classify();
     apply_policy();
     rate_points();
+    if (blur_.noise > 0 || blur_.irregular > 0) redraw_loops();
+    rate_loops();
     label_points();
     for (Index t = 0; t < complex_.size(); ++t) {
       if (kept_[t]) result_.triangles.push_back(complex_.triangle(t));
@@ -275,8 +279,52 @@ class Survey {
              false);
       }
     }
+  }
+
+  // Loops that share no point keep it so: where two would meet, the later one stays as it was.
+  void redraw_loops() {
+    std::vector<std::uint8_t> taken(points_.size(), 0);
+    const auto mark = [&](const std::vector<Index>& ids, std::uint8_t value) {
+      for (const Index id : ids) taken[id] = value;
+    };
+    for (const Loop& loop : result_.loops) mark(loop.points, 1);
     for (Loop& loop : result_.loops) {
-      double sum = 0;  // eq. (3), on the log score -log(1 - p)
+      const Redrawn drawn = redraw(points_, neighbours_, spacing_, loop.points, normals_along(loop), blur_);
+      if (drawn.loop.empty()) continue;
+      const double length = loop_length(points_, drawn.loop);
+      constexpr double most =
+          1.3;  // times the length before: the way through points beside the rim is longer
+      mark(loop.points, 0);
+      const bool meets =
+          std::any_of(drawn.loop.begin(), drawn.loop.end(), [&](Index id) { return taken[id]; });
+      if (!meets && length <= most * loop.length) {
+        loop.points = drawn.loop;
+        loop.length = length;
+        for (std::size_t i = 0; i < drawn.near.size(); ++i) {
+          result_.probability[drawn.near[i]] =
+              static_cast<float>(blurred_probability(drawn.depth[i], blur_.noise, loop.probability));
+        }
+      }
+      mark(loop.points, 1);
+    }
+  }
+
+  // Of the triangles at its edges.
+  std::vector<Point> normals_along(const Loop& loop) const {
+    const std::size_t n = loop.points.size();
+    std::vector<Point> normals;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Triangle& t = complex_.triangle(triangle_at(loop.points[i], loop.points[(i + 1) % n]));
+      const Point normal = cross(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]);
+      normals.push_back((1 / std::max(norm(normal), 1e-300)) * normal);
+    }
+    return normals;
+  }
+
+  // eq. (3), on the log score -log(1 - p).
+  void rate_loops() {
+    for (Loop& loop : result_.loops) {
+      double sum = 0;
       for (const Index id : loop.points)
         sum -= std::log1p(-std::min(0.999999, double{result_.probability[id]}));
       loop.fitness = sum / std::pow(static_cast<double>(loop.points.size()), length_exponent_);
@@ -313,6 +361,7 @@ class Survey {
   const BoundaryScores& scores_;
   const ExactLoopOptions& options_;
   double length_exponent_;
+  Blur blur_;  // noise that is heeded; none where points are clean
   const Run& run_;
   std::vector<double> spacing_;
   std::vector<Frame> frames_;
@@ -330,10 +379,12 @@ class Survey {
 BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                                 const ExactLoopOptions& options, double length_exponent, const Run& run) {
   exact::check(points, options);
-  const double heed =
-      exact::noise_weight(exact::noise_level(points, neighbours, local_spacing(neighbours), run));
+  const std::vector<double> spacing = local_spacing(neighbours);
+  const double level = exact::noise_level(points, neighbours, spacing, run);
+  const double heed = exact::noise_weight(level);
+  const exact::Blur blur{heed > 0 ? level : 0, exact::irregularity(neighbours, spacing)};
   const auto survey = [&](Points at, const Neighbours& near) {
-    return exact::Survey(at, near, scores, options, length_exponent, run).find();
+    return exact::Survey(at, near, scores, options, length_exponent, blur, run).find();
   };
   if (heed == 0) return survey(points, neighbours);
   // Under noise all geometry is that of points moved onto the surface, as far as their neighbours tell it.

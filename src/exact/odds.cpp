@@ -55,6 +55,12 @@ double point_probability(double notch, bool on_rim, double chi_square_score, dou
   return point * std::min(1.0, 2 * p);  // creases and thin walls score high too
 }
 
+double blurred_probability(double depth, double noise, double loop_probability) {
+  constexpr double sharpest = 0.06;  // square of how far off the line may be without noise, in spacings
+  const double scatter = sharpest + 1.6 * noise * noise;
+  return logistic(depth / scatter) * std::min(1.0, 2 * std::clamp(loop_probability, 0.01, 0.99));
+}
+
 double far_from_rims() { return 0.001; }
 
 }  // namespace rimline::exact

@@ -25,6 +25,10 @@ double loop_probability(std::size_t points, double emptiness, double thickness);
 // chi-square score -log p, and the probability of the rim.
 double point_probability(double notch, bool on_rim, double chi_square_score, double loop_probability);
 
+// That a point is on a boundary that was drawn anew under noise: by how far outside the line that parts the
+// points of the loop from those inside it lies, in spacings; `noise` in spacings as well.
+double blurred_probability(double depth, double noise, double loop_probability);
+
 // That a point away from all rims is on the boundary.
 double far_from_rims();
 

@@ -57,6 +57,23 @@ TEST_CASE("noise of a fifth of the spacing is heeded in full") {
   CHECK(noise_weight(level_of(make(Shape::HemisphereCap, Sampling::BlueNoise, 0.2).points)) == 1);
 }
 
+TEST_CASE("random points are told from those that keep apart, under noise as well") {
+  const auto irregularity_of = [](Shape shape, Sampling sampling, double noise) {
+    const Sample drawn = make(shape, sampling, noise);
+    const Neighbours neighbours = find_neighbours(drawn.points, 40, {});
+    return irregularity(neighbours, local_spacing(neighbours));
+  };
+  for (const Shape shape : {Shape::FlatDisc, Shape::CurledStrip}) {
+    CHECK(irregularity_of(shape, Sampling::Random, 0) == 1);
+    CHECK(irregularity_of(shape, Sampling::Random, 0.5) == doctest::Approx(1));
+    for (const Sampling even :
+         {Sampling::BlueNoise, Sampling::Grid, Sampling::DensityStep, Sampling::Cropped}) {
+      for (const double noise : {0.0, 0.5}) CHECK(irregularity_of(shape, even, noise) == 0);
+    }
+    CHECK(irregularity_of(shape, Sampling::ScanLines, 0) == 0);
+  }
+}
+
 TEST_CASE("without its noise a noisy disc is flatter, and nothing moves along it") {
   const Sample disc = make(Shape::FlatDisc, Sampling::BlueNoise, 0.5);
   const Neighbours neighbours = find_neighbours(disc.points, 40, {});

@@ -58,7 +58,8 @@ TEST_CASE("the system of a mesh with holes is that of its graph to the last bit,
   Random random(3);
   for (double& e : evenness) e = random.uniform();
   for (const int threads : {1, 2}) {
-    const Run run{.threads = threads};
+    Run run;
+    run.threads = threads;
     check_same(mesh_system(s.points, mesh, s.loops, {}, fixed, uv, run),
                system_by_graph(s.points, mesh, s.loops, {}, fixed, uv));
     check_same(mesh_system(s.points, mesh, s.loops, evenness, fixed, uv, run),

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exact/rim_curve.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <unordered_map>
+
+namespace rimline::exact {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// A point of the rim.
+struct Bead {
+  double t;  // along the rim, in [0, period): about one a point
+  Index point;
+  Point normal;
+};
+
+// A place on the curve.
+struct Station {
+  Point at, along, out, normal;  // the directions are unit vectors
+  double step;                   // length of one unit of t
+  double spacing;                // of the points here
+};
+
+Point unit(Point p) { return (1 / std::max(norm(p), 1e-300)) * p; }
+
+class Curve {
+ public:
+  Curve(Points points, const Neighbours& neighbours, const std::vector<double>& spacing)
+      : points_(points), neighbours_(neighbours), spacing_(spacing) {}
+
+  // Fits the beads, which ascend by t, by quadratics in t over `window` units to either side. False where
+  // they are too few.
+  bool fit(const std::vector<Bead>& beads, double period, double window) {
+    period_ = period;
+    stations_.assign(static_cast<std::size_t>(std::lround(2 * period)), {});
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      if (!fit_at(beads, t_of(i), std::min(window, period / 4), stations_[i])) return false;
+    }
+    return true;
+  }
+
+  double period() const { return period_; }
+  std::ptrdiff_t size() const { return static_cast<std::ptrdiff_t>(stations_.size()); }
+  std::size_t wrap(std::ptrdiff_t i) const {
+    return static_cast<std::size_t>((i % size() + size()) % size());
+  }
+  const Station& station(std::size_t i) const { return stations_[i]; }
+  double t_of(std::size_t i) const { return period_ * static_cast<double>(i) / static_cast<double>(size()); }
+
+  // Length in spacings of the curve moved inwards by `depth` spacings.
+  double length(double depth) const {
+    double sum = 0;
+    const auto moved = [&](const Station& s) { return s.at - depth * s.spacing * s.out; };
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      const Station &a = stations_[i], &b = stations_[i + 1 < stations_.size() ? i + 1 : 0];
+      sum += distance(moved(a), moved(b)) / (0.5 * (a.spacing + b.spacing));
+    }
+    return sum;
+  }
+
+ private:
+  bool fit_at(const std::vector<Bead>& beads, double t, double window, Station& station) const {
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero(), right = Eigen::Matrix3d::Zero();
+    Point normal;
+    double spacing = 0, sum = 0;
+    int count = 0;
+    const auto take = [&](const Bead& bead) {
+      const double dt = std::remainder(bead.t - t, period_), far = std::abs(dt) / window;
+      if (far >= 1) return false;
+      const double weight = std::pow(1 - far * far * far, 3);
+      const Eigen::Vector3d row(1, dt, dt * dt);
+      const Point p = points_[bead.point] - points_[beads.front().point];
+      squares += weight * row * row.transpose();
+      right += weight * row * Eigen::RowVector3d(p.x, p.y, p.z);
+      normal = normal + weight * bead.normal;
+      spacing += weight * spacing_around(bead.point);
+      sum += weight;
+      ++count;
+      return true;
+    };
+    const auto n = static_cast<std::ptrdiff_t>(beads.size());
+    const auto bead_at = [&](std::ptrdiff_t k) -> const Bead& { return beads[(k % n + n) % n]; };
+    const auto first = std::lower_bound(beads.begin(), beads.end(), t,
+                                        [](const Bead& bead, double at) { return bead.t < at; }) -
+                       beads.begin();
+    for (std::ptrdiff_t k = first; k < first + n && take(bead_at(k));) ++k;
+    for (std::ptrdiff_t k = first - 1; k > first - n && take(bead_at(k));) --k;
+    if (count < 4) return false;
+    const Eigen::Matrix3d fit = squares.ldlt().solve(right);
+    const Point along{fit(1, 0), fit(1, 1), fit(1, 2)};
+    station.at = points_[beads.front().point] + Point{fit(0, 0), fit(0, 1), fit(0, 2)};
+    station.step = std::max(norm(along), 1e-300);
+    station.along = unit(along);
+    station.normal = unit(normal);
+    station.out = unit(cross(along, normal));
+    station.spacing = spacing / sum;
+    return true;
+  }
+
+  // Less partial than the spacing of a point of the rim, whose neighbours are on one side.
+  double spacing_around(Index point) const {
+    const auto near = neighbours_.of(point, std::min(12, neighbours_.k));
+    double sum = 0;
+    for (const Index v : near) sum += spacing_[v];
+    return sum / static_cast<double>(near.size());
+  }
+
+  Points points_;
+  const Neighbours& neighbours_;
+  const std::vector<double>& spacing_;
+  std::vector<Station> stations_;
+  double period_ = 0;
+};
+
+// Where a point lies over the curve.
+struct Place {
+  Index point;
+  double t = 0, out = 0;  // out: in spacings
+  double squared_distance = infinite;
+  Point normal = {};
+};
+
+// The points around the beads, from the outermost inwards.
+class Places {
+ public:
+  Places(const Curve& curve, Points points, const Neighbours& neighbours, const std::vector<Bead>& beads)
+      : curve_(curve), points_(points) {
+    for (const Bead& bead : beads) {
+      look(bead.point, bead.t);
+      for (const Index v : neighbours.of(bead.point, std::min(24, neighbours.k))) look(v, bead.t);
+    }
+    std::erase_if(found_, [](const Place& p) { return p.squared_distance == infinite; });
+    for (Place& p : found_) p.t -= curve.period() * std::floor(p.t / curve.period());
+    std::sort(found_.begin(), found_.end(), [](const Place& a, const Place& b) {
+      return std::tie(b.out, a.point) < std::tie(a.out, b.point);
+    });
+  }
+
+  const std::vector<Place>& found() const { return found_; }
+
+  // How many lie farther out.
+  std::size_t beyond(double out) const {
+    const auto at = std::lower_bound(found_.begin(), found_.end(), out,
+                                     [](const Place& p, double x) { return p.out > x; });
+    return static_cast<std::size_t>(at - found_.begin());
+  }
+
+  // Of the ways to part them near the first `count` the one where they are fewest.
+  std::size_t valley(std::size_t count) const {
+    constexpr double width = 0.12;                                // spacings: half of what is looked at
+    const double usual = 2 * width * curve_.length(0);            // one point to a square spacing
+    const double likely = 1 + 0.03 * static_cast<double>(count);  // error of the count
+    const auto most = static_cast<std::size_t>(std::lround(2 * likely));
+    double least = infinite;
+    std::size_t best = count;
+    for (std::size_t k = count - std::min(most, count - 1); k <= count + most && k < found_.size(); ++k) {
+      const double at = 0.5 * (found_[k - 1].out + found_[k].out);
+      const auto crowd = static_cast<double>(beyond(at - width) - beyond(at + width));
+      const double off = (static_cast<double>(k) - static_cast<double>(count)) / likely;
+      const double cost = crowd / usual + 0.5 * off * off;
+      if (cost < least) {
+        least = cost;
+        best = k;
+      }
+    }
+    return best;
+  }
+
+ private:
+  // Seeks the nearest station about t, in the sheet of the curve.
+  void look(Index point, double t) {
+    constexpr std::ptrdiff_t reach = 8;  // stations, four spacings
+    const auto [at, is_new] = known_.try_emplace(point, found_.size());
+    if (is_new) found_.push_back({point});
+    Place& place = found_[at->second];
+    const auto middle = std::lround(t / curve_.period() * static_cast<double>(curve_.size()));
+    const std::ptrdiff_t far = std::min(reach, curve_.size() / 3);
+    for (std::ptrdiff_t k = middle - far; k <= middle + far; ++k) {
+      const std::size_t i = curve_.wrap(k);
+      const Station& s = curve_.station(i);
+      const Point d = points_[point] - s.at;
+      const double squared = dot(d, d);
+      if (squared >= place.squared_distance || std::abs(dot(d, s.normal)) > s.spacing) continue;
+      place.squared_distance = squared;
+      place.t = curve_.t_of(i) + std::clamp(dot(d, s.along) / s.step, -0.5, 0.5);
+      place.out = dot(d, s.out) / s.spacing;
+      place.normal = s.normal;
+    }
+  }
+
+  const Curve& curve_;
+  Points points_;
+  std::vector<Place> found_;
+  std::unordered_map<Index, std::size_t> known_;  // position in found_, until that is sorted
+};
+
+// Median place of the beads across the curve.
+double row_of(const Places& places, const std::vector<Bead>& beads) {
+  std::vector<Index> ids;
+  for (const Bead& bead : beads) ids.push_back(bead.point);
+  std::sort(ids.begin(), ids.end());
+  std::vector<double> out;
+  for (const Place& p : places.found()) {
+    if (std::binary_search(ids.begin(), ids.end(), p.point)) out.push_back(p.out);
+  }
+  return out.empty() ? 0 : out[out.size() / 2];  // the places descend
+}
+
+// How many points the rim has.
+std::size_t expected_count(const Curve& curve, const Places& places, double row, const Blur& blur) {
+  constexpr double near = 0.8, far = 2.2;  // spacings behind the rim, where the density is measured
+  // Of random points half a spacing's worth; under noise some less, as the way through all of them gets long.
+  const double beside = blur.irregular * (blur.noise > 0 ? 0.4 : 0.5);
+  const auto behind = static_cast<double>(places.beyond(row - far) - places.beyond(row - near));
+  const double density = behind / ((far - near) * curve.length((near + far) / 2 - row));
+  const double count = (1 + beside) * std::sqrt(density) * curve.length(-row);
+  return count < 1e9 ? static_cast<std::size_t>(std::lround(count)) : 0;  // 0 where there is no area behind
+}
+
+// Turns stretches of the loop round where that makes it shorter, as seen along the normals: then it does not
+// cross itself there.
+void shorten(Points points, std::vector<Bead>& loop) {
+  constexpr std::size_t longest = 8;
+  constexpr int sweeps = 10;
+  const std::size_t n = loop.size();
+  if (n < 3 * longest) return;
+  const auto at = [&](std::size_t i) -> Bead& { return loop[i % n]; };
+  const auto length = [&](std::size_t i, std::size_t j, Point normal) {
+    const Point d = points[at(j).point] - points[at(i).point];
+    return norm(d - dot(d, normal) * normal);
+  };
+  bool again = true;
+  for (int sweep = 0; sweep < sweeps && again; ++sweep) {
+    again = false;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = i + 2; j < i + longest; ++j) {  // the stretch from i + 1 to j
+        const Point normal = at(i).normal;
+        const double before = length(i, i + 1, normal) + length(j, j + 1, normal);
+        if (length(i, j, normal) + length(i + 1, j + 1, normal) >= before * (1 - 1e-9)) continue;
+        for (std::size_t a = i + 1, b = j; a < b; ++a, --b) std::swap(at(a), at(b));
+        again = true;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+               const std::vector<Index>& rim, const std::vector<Point>& normals, const Blur& blur) {
+  constexpr std::size_t shortest = 10;
+  constexpr int rounds = 3;  // each fits the curve to the loop of the last
+  if (rim.size() < shortest) return {};
+  const double window = 4 + 8 * blur.noise;  // the curve must average over more where points scatter more
+  std::vector<Bead> beads;
+  for (std::size_t i = 0; i < rim.size(); ++i) beads.push_back({static_cast<double>(i), rim[i], normals[i]});
+  Curve curve(points, neighbours, spacing);
+  Redrawn result;
+  for (int round = 0; round < rounds; ++round) {
+    if (!curve.fit(beads, static_cast<double>(rim.size()), window)) return {};
+    const Places places(curve, points, neighbours, beads);
+    std::size_t count = expected_count(curve, places, row_of(places, beads), blur);
+    if (count < shortest || count >= places.found().size()) return {};
+    // A rim with more points than that is sampled more closely along than across it, as by scan lines: what
+    // is behind does not tell its points.
+    if (count < rim.size()) return {};
+    count = places.valley(count);
+    const auto& all = places.found();
+    beads.clear();
+    for (std::size_t i = 0; i < count; ++i) beads.push_back({all[i].t, all[i].point, all[i].normal});
+    std::sort(beads.begin(), beads.end(),
+              [](const Bead& a, const Bead& b) { return std::tie(a.t, a.point) < std::tie(b.t, b.point); });
+    result.near.clear();
+    result.depth.clear();
+    const double line = 0.5 * (all[count - 1].out + all[count].out);
+    for (const Place& p : all) {
+      result.near.push_back(p.point);
+      result.depth.push_back(p.out - line);
+    }
+  }
+  shorten(points, beads);
+  for (const Bead& bead : beads) result.loop.push_back(bead.point);
+  return result;
+}
+
+}  // namespace rimline::exact

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A loop drawn anew over a smooth curve along its rim, where noise or chance blurs which points are on it.
+#pragma once
+
+#include <vector>
+
+#include "rimline/neighbours.h"
+#include "rimline/points.h"
+
+namespace rimline::exact {
+
+// What blurs a rim.
+struct Blur {
+  double noise = 0;      // standard deviation of the points over the spacing
+  double irregular = 0;  // 1 where points are strewn at random, 0 where they keep apart
+};
+
+struct Redrawn {
+  std::vector<Index> loop;  // simple; empty where the rim can not be drawn anew
+  std::vector<Index> near;  // all points that were looked at: those of the loop, then the others, inwards ...
+  std::vector<double> depth;  // ... and how far outside the dividing line each lies, in spacings
+};
+
+// Which of the points that noise scatters about a rim a triangulation ends at is chance. So a curve is fitted
+// along the rim, by quadratics over some spacings, and points are ranked by how far out of it they lie. The
+// outermost are the loop, as many as a rim has at the density behind it; the curve puts them in order. All
+// other points are inside, as the line between lies outside of them.
+//
+// A rim has one point to a spacing (the root of the area of a point). Where points are strewn at random,
+// those within half a spacing of the rim are on it as well: nothing tells them from it.
+//
+// `rim`: a loop with the surface on its left; `normals`: unit normals of the surface at its points, oriented
+// alike. The rim must be longer than about ten spacings.
+Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+               const std::vector<Index>& rim, const std::vector<Point>& normals, const Blur& blur);
+
+}  // namespace rimline::exact
