@@ -2,9 +2,12 @@
 #include "exact/complex.h"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "parallel.h"
 
 namespace rimline::exact {
 
@@ -12,6 +15,62 @@ double circumradius(Point a, Point b, Point c) {
   const double twice_area = norm(cross(b - a, c - a));
   if (twice_area <= 0) return std::numeric_limits<double>::infinity();
   return distance(a, b) * distance(b, c) * distance(c, a) / (2 * twice_area);
+}
+
+Complex::AtVertices::AtVertices(const Stars& stars) : places_(stars.size()) {
+  for (std::size_t v = 0; v < stars.size(); ++v) {
+    const auto room = static_cast<std::uint32_t>(stars[v].size());
+    places_[v] = {stars.start(v), room, room};
+  }
+  ids_.resize(stars.start(stars.size()), none);
+}
+
+void Complex::start_with(std::vector<Triangle> triangles, std::vector<double> radii, AtVertices at,
+                         const Run& run) {
+  triangles_ = std::move(triangles);
+  radii_ = std::move(radii);
+  stars_ = std::move(at.places_);
+  at_vertex_ = std::move(at.ids_);
+  beside_.resize(triangles_.size(), {none, none, none});
+  parallel_for_each(stars_.size(), Stage::Boundary, run, [&](Index v) {
+    gather_at_vertex(v);
+    link_at_vertex(v);
+  });
+}
+
+// Closes the gaps of the places that hold no triangle.
+void Complex::gather_at_vertex(Index vertex) {
+  Place& place = stars_[vertex];
+  const auto first = at_vertex_.begin() + static_cast<std::ptrdiff_t>(place.first);
+  const auto last = std::remove(first, first + place.count, none);
+  std::sort(first, last);
+  place.count = static_cast<std::uint32_t>(last - first);
+}
+
+// Links the triangles on both sides of each edge to a vertex of higher id, which no other vertex does.
+void Complex::link_at_vertex(Index vertex) {
+  struct Side {
+    Index other, triangle;
+    int edge;
+  };
+  boost::container::small_vector<Side, 24> open;
+  for (const Index t : star(vertex)) {
+    for (int i = 0; i < 3; ++i) {
+      const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
+      if (std::min(a, b) != vertex) continue;
+      const Index other = std::max(a, b);
+      const auto met =
+          std::find_if(open.begin(), open.end(), [&](const Side& s) { return s.other == other; });
+      if (met == open.end()) {
+        open.push_back({other, t, i});
+      } else {
+        beside_[t][i] = met->triangle;
+        beside_[met->triangle][met->edge] = t;
+        *met = open.back();
+        open.pop_back();
+      }
+    }
+  }
 }
 
 void Complex::put_at_vertex(Index vertex, Index triangle) {

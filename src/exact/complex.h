@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "exact/frame.h"
+#include "exact/star.h"
 #include "rimline/mesh.h"
 #include "rimline/points.h"
+#include "rimline/run.h"
 
 namespace rimline::exact {
 
@@ -21,6 +23,12 @@ double circumradius(Point a, Point b, Point c);
 // one fan is a pinch. The boundary of any subset of the triangles, taken modulo 2, is closed: it is what the
 // rim search relies on.
 class Complex {
+  // Where the triangles of a vertex are in `at_vertex_`, and the room for them there.
+  struct Place {
+    std::size_t first = 0;
+    std::uint32_t count = 0, room = 0;
+  };
+
  public:
   Complex(Points points, const std::vector<Frame>& frames)
       : points_(points), frames_(frames), stars_(points.size()) {}
@@ -36,6 +44,23 @@ class Complex {
     return {at_vertex_.data() + stars_[vertex].first, stars_[vertex].count};
   }
 
+  // The triangles at each vertex, one for each place of its star at most.
+  class AtVertices {
+   public:
+    explicit AtVertices(const Stars& stars);
+    // Calls for different places may run at the same time.
+    void put(Index vertex, std::uint32_t place, Index triangle) {
+      ids_[places_[vertex].first + place] = triangle;
+    }
+
+   private:
+    friend class Complex;
+    std::vector<Place> places_;
+    std::vector<Index> ids_;
+  };
+
+  // Takes the first triangles, with their circumradii, all at once: the same as adding one after another.
+  void start_with(std::vector<Triangle> triangles, std::vector<double> radii, AtVertices at, const Run& run);
   void add(const Triangle& triangle);
   // Leaves out the triangles with a zero; the ids of the others move up.
   void keep_only(const std::vector<std::uint8_t>& kept);
@@ -59,18 +84,14 @@ class Complex {
   }
 
  private:
-  // Where the triangles of a vertex are in `at_vertex_`, and the room for them there.
-  struct Place {
-    std::size_t first = 0;
-    std::uint32_t count = 0, room = 0;
-  };
-
   // The edge of the triangle that joins a and b, named by the corner that it leaves.
   int edge_of(Index triangle, Index a, Index b) const {
     const Triangle& x = triangles_[triangle];
     return x[2] != a && x[2] != b ? 0 : x[0] != a && x[0] != b ? 1 : 2;
   }
   void put_at_vertex(Index vertex, Index triangle);
+  void gather_at_vertex(Index vertex);
+  void link_at_vertex(Index vertex);
   bool folds_back(Index a, Index b, Index c, Index d) const;
   bool fits_around(Index vertex, Index a, Index b) const;
   bool closes_beside_others(Index vertex, Index a, Index b) const;

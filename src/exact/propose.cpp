@@ -2,8 +2,12 @@
 #include "exact/propose.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <queue>
 #include <tuple>
+
+#include "parallel.h"
 
 namespace rimline::exact {
 namespace {
@@ -16,12 +20,85 @@ struct Proposal {
   auto rank() const { return std::tuple(-votes, size, triangle); }
 };
 
-bool has_triangle(const Star& star, Index a, Index b) {
+constexpr std::uint32_t nowhere = ~std::uint32_t{0};
+
+// The place in a star of the corner between a and b, in either order.
+std::uint32_t corner_between(Star star, Index a, Index b) {
   for (std::size_t i = 0; i < star.size(); ++i) {
     const Index x = star[i], y = star[i + 1 < star.size() ? i + 1 : 0];
-    if ((x == a && y == b) || (x == b && y == a)) return true;
+    if ((x == a && y == b) || (x == b && y == a)) return static_cast<std::uint32_t>(i);
   }
-  return false;
+  return nowhere;
+}
+
+// A triangle that is in the stars of all its corners, and its place in each.
+struct Agreed {
+  Triangle triangle;
+  std::array<std::uint32_t, 3> places;
+  double radius;
+};
+
+// What the stars of points in a row are the first to name.
+struct Row {
+  std::vector<Agreed> agreed;
+  std::vector<Proposal> rest;
+};
+
+constexpr std::size_t points_in_row = 4096;
+
+void read_star(const Complex& complex, const Stars& stars, const std::vector<double>& spacing, double largest,
+               Index v, Row& row) {
+  const Points p = complex.points();
+  const Star star = stars[v];
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Index a = star[i], b = star[i + 1 < star.size() ? i + 1 : 0];
+    if (a == none || b == none) continue;
+    const std::uint32_t in_a = corner_between(stars[a], b, v), in_b = corner_between(stars[b], v, a);
+    const bool by_a = in_a != nowhere, by_b = in_b != nowhere;
+    if ((by_a && a < v) || (by_b && b < v)) continue;  // met before
+    const double radius = circumradius(p[v], p[a], p[b]);
+    const double size = radius / std::max({spacing[v], spacing[a], spacing[b]});
+    if (size > largest) continue;
+    if (by_a && by_b) {
+      row.agreed.push_back({{v, a, b}, {static_cast<std::uint32_t>(i), in_a, in_b}, radius});
+    } else {
+      row.rest.push_back({{v, a, b}, 1 + by_a + by_b, size});
+    }
+  }
+}
+
+std::vector<Row> read_stars(const Complex& complex, const Stars& stars, const std::vector<double>& spacing,
+                            double largest, const Run& run) {
+  std::vector<Row> rows((stars.size() + points_in_row - 1) / points_in_row);
+  parallel_tasks(rows.size(), Stage::Boundary, run, [&](std::size_t r) {
+    const std::size_t end = std::min(stars.size(), (r + 1) * points_in_row);
+    for (std::size_t v = r * points_in_row; v < end; ++v) {
+      read_star(complex, stars, spacing, largest, static_cast<Index>(v), rows[r]);
+    }
+  });
+  run.check_cancel();
+  return rows;
+}
+
+// The complex of the triangles that all agree on, in the order of the rows.
+void take_agreed(Complex& complex, const Stars& stars, std::vector<Row>& rows, const Run& run) {
+  std::vector<std::size_t> start{0};
+  for (const Row& row : rows) start.push_back(start.back() + row.agreed.size());
+  std::vector<Triangle> triangles(start.back());
+  std::vector<double> radii(start.back());
+  Complex::AtVertices at(stars);
+  parallel_tasks(rows.size(), Stage::Boundary, run, [&](std::size_t r) {
+    std::size_t id = start[r];
+    for (const Agreed& x : rows[r].agreed) {
+      triangles[id] = x.triangle;
+      radii[id] = x.radius;
+      for (int i = 0; i < 3; ++i) at.put(x.triangle[i], x.places[i], static_cast<Index>(id));
+      ++id;
+    }
+    rows[r].agreed = {};
+  });
+  run.check_cancel();
+  complex.start_with(std::move(triangles), std::move(radii), std::move(at), run);
 }
 
 class Proposer {
@@ -33,28 +110,6 @@ class Proposer {
     const Points p = complex_.points();
     const double h = std::max({spacing_[t[0]], spacing_[t[1]], spacing_[t[2]]});
     return circumradius(p[t[0]], p[t[1]], p[t[2]]) / h;
-  }
-
-  // Adds those with three votes and returns the others.
-  std::vector<Proposal> take_agreed(const std::vector<Star>& stars) {
-    std::vector<Proposal> rest;
-    for (Index v = 0; v < static_cast<Index>(stars.size()); ++v) {
-      const Star& star = stars[v];
-      for (std::size_t i = 0; i < star.size(); ++i) {
-        const Index a = star[i], b = star[i + 1 < star.size() ? i + 1 : 0];
-        if (a == none || b == none) continue;
-        const bool by_a = has_triangle(stars[a], b, v), by_b = has_triangle(stars[b], v, a);
-        if ((by_a && a < v) || (by_b && b < v)) continue;  // met before
-        const Proposal proposal{{v, a, b}, 1 + by_a + by_b, size({v, a, b})};
-        if (proposal.size > largest_) continue;
-        if (proposal.votes == 3) {
-          complex_.add(proposal.triangle);
-        } else {
-          rest.push_back(proposal);
-        }
-      }
-    }
-    return rest;
   }
 
   void take_fitting(std::vector<Proposal> rest) {
@@ -110,12 +165,14 @@ class Proposer {
 
 }  // namespace
 
-Complex propose_surface(Points points, const std::vector<Frame>& frames, const std::vector<Star>& stars,
+Complex propose_surface(Points points, const std::vector<Frame>& frames, const Stars& stars,
                         const std::vector<double>& spacing, double largest, const Run& run) {
   Complex complex(points, frames);
+  std::vector<Row> rows = read_stars(complex, stars, spacing, largest, run);
+  take_agreed(complex, stars, rows, run);
+  std::vector<Proposal> rest;
+  for (const Row& row : rows) rest.insert(rest.end(), row.rest.begin(), row.rest.end());
   Proposer proposer(complex, spacing, largest);
-  auto rest = proposer.take_agreed(stars);
-  run.check_cancel();
   proposer.take_fitting(std::move(rest));
   run.check_cancel();
   proposer.fill_notches();

@@ -16,7 +16,7 @@ namespace rimline::exact {
 // first. Triangles whose circumradius exceeds `largest` spacings (the largest of their corners') are left
 // out, so the result reaches over the true boundary by its larger triangles: what is too much is for the rim
 // search to take away.
-Complex propose_surface(Points points, const std::vector<Frame>& frames, const std::vector<Star>& stars,
+Complex propose_surface(Points points, const std::vector<Frame>& frames, const Stars& stars,
                         const std::vector<double>& spacing, double largest, const Run& run);
 
 // Fills notches in the rim with triangles up to `largest`, the smallest first.

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "parallel.h"
 #include "random.h"
@@ -27,9 +28,11 @@ double tie_weight(Point p, double spacing) {
   return 1e-7 * spacing * spacing * static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
+// The Voronoi cell of one point after another, about the point.
 class Cell {
  public:
-  explicit Cell(double half_width) {
+  // A square.
+  void reset(double half_width) {
     corners_ = {{-half_width, -half_width, none},
                 {half_width, -half_width, none},
                 {half_width, half_width, none},
@@ -42,12 +45,19 @@ class Cell {
 
   // Keeps a x + b y <= c.
   void cut(double a, double b, double c, Index side) {
-    const auto outside = [&](const Corner& p) { return a * p.x + b * p.y > c; };
-    if (std::none_of(corners_.begin(), corners_.end(), outside)) return;
+    const std::size_t count = corners_.size();
+    beyond_.resize(count);
+    bool touched = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      beyond_[i] = a * corners_[i].x + b * corners_[i].y - c;
+      touched |= beyond_[i] > 0;
+    }
+    if (!touched) return;
     next_.clear();
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const Corner &p = corners_[i], &q = corners_[i + 1 < corners_.size() ? i + 1 : 0];
-      const double at_p = a * p.x + b * p.y - c, at_q = a * q.x + b * q.y - c;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t j = i + 1 < count ? i + 1 : 0;
+      const Corner &p = corners_[i], &q = corners_[j];
+      const double at_p = beyond_[i], at_q = beyond_[j];
       if (at_p <= 0) next_.push_back(p);
       if ((at_p <= 0) != (at_q <= 0)) {
         const double t = at_p / (at_p - at_q);
@@ -65,63 +75,34 @@ class Cell {
   }
 
   std::vector<Corner> corners_, next_;
+  std::vector<double> beyond_;
   double radius_squared_ = 0;
 };
 
-// For each point those that have it in their list without being in its own, as a compressed table.
-struct Reverse {
-  std::vector<std::size_t> first;
-  std::vector<Index> ids;
-
-  std::span<const Index> of(Index i) const { return {ids.data() + first[i], first[i + 1] - first[i]}; }
-};
-
-Reverse reverse_only(Points points, const Neighbours& neighbours) {
-  const Index n = neighbours.size();
-  Reverse reverse;
-  reverse.first.assign(points.size() + 1, 0);
-  const auto visit = [&](const auto& use) {
-    for (Index i = 0; i < n; ++i) {
-      const auto ids = neighbours.of(i);
-      const auto distances = neighbours.distances_of(i);
-      for (int j = 0; j < neighbours.k; ++j) {
-        if (distances[j] > neighbours.distances_of(ids[j])[neighbours.k - 1]) use(ids[j], i);
-      }
-    }
-  };
-  visit([&](Index of, Index) { ++reverse.first[of + 1]; });
-  for (Index i = 0; i < n; ++i) reverse.first[i + 1] += reverse.first[i];
-  reverse.ids.resize(reverse.first[n]);
-  std::vector<std::size_t> at(reverse.first.begin(), reverse.first.end() - 1);
-  visit([&](Index of, Index i) { reverse.ids[at[of]++] = i; });
-  return reverse;
-}
-
 class StarFinder {
  public:
-  StarFinder(Points points, const Neighbours& neighbours, const std::vector<double>& spacing)
-      : points_(points), neighbours_(neighbours), spacing_(spacing), weight_(points.size()) {
-    for (std::size_t i = 0; i < points.size(); ++i) weight_[i] = tie_weight(points[i], spacing[i]);
-    reverse_ = reverse_only(points, neighbours);
+  StarFinder(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+             const std::vector<Frame>& frames, const Run& run)
+      : points_(points), neighbours_(neighbours), spacing_(spacing), frames_(frames), weight_(points.size()) {
+    parallel_for_each(points.size(), Stage::Boundary, run,
+                      [&](Index i) { weight_[i] = tie_weight(points[i], spacing[i]); });
   }
 
-  Star star(Index self, const Frame& frame) const {
+  // Cuts the cell of a point with its neighbours. Returns whether one of them was too far to reach the cell:
+  // then all that are farther are, too.
+  bool cut_by_own(Cell& cell, Index self) const {
     constexpr double half_width = 20;  // spacings: far beyond any triangle that can be kept
-    Cell cell(half_width * spacing_[self]);
-    const auto near = neighbours_.of(self);
-    for (const Index other : near) {
-      if (!cut(cell, self, other, frame)) break;
+    cell.reset(half_width * spacing_[self]);
+    for (const Index other : neighbours_.of(self)) {
+      if (!cut(cell, self, other)) return true;
     }
-    for (const Index other : reverse_.of(self)) cut(cell, self, other, frame);
-    Star star;
-    for (const Corner& corner : cell.corners()) star.push_back(corner.side);
-    return star;
+    return false;
   }
 
- private:
-  // Returns false where the neighbour is too far for its bisector to reach the cell.
-  bool cut(Cell& cell, Index self, Index other, const Frame& frame) const {
+  // Returns false where the other is too far for its bisector to reach the cell.
+  bool cut(Cell& cell, Index self, Index other) const {
     constexpr double steepest = 0.75;  // squared sine of 60 degrees: steeper is another sheet
+    const Frame& frame = frames_[self];
     const Point d = points_[other] - points_[self];
     const double squared = dot(d, d);
     if (squared > 4 * cell.radius_squared()) return false;
@@ -133,22 +114,107 @@ class StarFinder {
     return true;
   }
 
+ private:
   Points points_;
   const Neighbours& neighbours_;
   const std::vector<double>& spacing_;
+  const std::vector<Frame>& frames_;
   std::vector<double> weight_;
-  Reverse reverse_;
 };
+
+// A point, and one that has it in its list without being in the list of the first.
+using OneWay = std::pair<Index, Index>;
+
+// Those of the marked points, by point and then by the other.
+std::vector<OneWay> find_one_way(const Neighbours& neighbours, const std::vector<std::uint8_t>& marked,
+                                 const Run& run) {
+  auto found =
+      parallel_gather<OneWay>(marked.size(), Stage::Boundary, run, [&](Index i, std::vector<OneWay>& pairs) {
+        const auto ids = neighbours.of(i);
+        for (int j = 0; j < neighbours.k; ++j) {
+          if (!marked[ids[j]]) continue;
+          if (neighbours.distances_of(i)[j] > neighbours.distances_of(ids[j])[neighbours.k - 1])
+            pairs.push_back({ids[j], i});
+        }
+      });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// Stars of points in a row.
+struct Row {
+  std::vector<Index> ids;
+  std::vector<Index>
+      open;  // the points whose lists end within reach of their cells; their stars are left out
+};
+
+constexpr std::size_t points_in_row = 4096;
+
+void append_star(const Cell& cell, std::vector<Index>& ids) {
+  for (const Corner& corner : cell.corners()) ids.push_back(corner.side);
+}
 
 }  // namespace
 
-std::vector<Star> find_stars(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
-                             const std::vector<Frame>& frames, const Run& run) {
-  const StarFinder finder(points, neighbours, spacing);
-  std::vector<Star> stars(points.size());
-  parallel_for_each(points.size(), Stage::Boundary, run,
-                    [&](Index i) { stars[i] = finder.star(i, frames[i]); });
-  return stars;
+Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                 const std::vector<Frame>& frames, const Run& run) {
+  const std::size_t count = points.size();
+  const StarFinder finder(points, neighbours, spacing, frames, run);
+  std::vector<Row> rows((count + points_in_row - 1) / points_in_row);
+  std::vector<std::uint32_t> size(count);
+  std::vector<std::uint8_t> is_open(count, 0);
+  const auto for_each_row = [&](const auto& body) {
+    parallel_slices(
+        rows.size(), Stage::Boundary, run,
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t r = first; r < last; ++r) {
+            body(rows[r], static_cast<Index>(r * points_in_row),
+                 static_cast<Index>(std::min(count, (r + 1) * points_in_row)));
+          }
+        },
+        1);
+  };
+  for_each_row([&](Row& row, Index first, Index last) {
+    Cell cell;
+    for (Index i = first; i < last; ++i) {
+      if (finder.cut_by_own(cell, i)) {
+        append_star(cell, row.ids);
+        size[i] = static_cast<std::uint32_t>(cell.corners().size());
+      } else {
+        row.open.push_back(i);
+        is_open[i] = 1;
+      }
+    }
+  });
+
+  // Only where the own list ends too early can those who have the point in theirs cut its cell: they are
+  // farther than all of the list.
+  const std::vector<OneWay> one_way = find_one_way(neighbours, is_open, run);
+  std::vector<Row> open_rows(rows.size());
+  for_each_row([&](Row& row, Index first, Index) {
+    Cell cell;
+    for (const Index i : row.open) {
+      finder.cut_by_own(cell, i);
+      auto other = std::lower_bound(one_way.begin(), one_way.end(), OneWay{i, 0});
+      for (; other != one_way.end() && other->first == i; ++other) finder.cut(cell, i, other->second);
+      append_star(cell, open_rows[first / points_in_row].ids);
+      size[i] = static_cast<std::uint32_t>(cell.corners().size());
+    }
+  });
+
+  std::vector<std::size_t> start(count + 1, 0);
+  for (std::size_t i = 0; i < count; ++i) start[i + 1] = start[i] + size[i];
+  std::vector<Index> ids(start[count]);
+  for_each_row([&](Row& row, Index first, Index last) {
+    auto closed = row.ids.begin(), open = open_rows[first / points_in_row].ids.begin();
+    for (Index i = first; i < last; ++i) {
+      auto& from = is_open[i] ? open : closed;
+      std::copy_n(from, size[i], ids.begin() + start[i]);
+      from += size[i];
+    }
+    row = {};
+  });
+  return {std::move(start), std::move(ids)};
 }
 
 }  // namespace rimline::exact

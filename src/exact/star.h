@@ -2,8 +2,9 @@
 // The local Delaunay star of a point: which neighbours surround it, in order.
 #pragma once
 
-#include <boost/container/small_vector.hpp>
+#include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "exact/frame.h"
@@ -15,16 +16,32 @@ namespace rimline::exact {
 
 // The neighbours around a point, counter-clockwise in its frame; each two in a row (and the last with the
 // first) make a triangle with the point. `none` stands where the point's Voronoi cell is open.
-using Star = boost::container::small_vector<Index, 10>;
+using Star = std::span<const Index>;
 
-// One star per point. The point's neighbours, and those that have it as theirs, are laid out in its tangent
+// One star per point, one after another in one array.
+class Stars {
+ public:
+  // Star i is ids[start[i]] to ids[start[i + 1] - 1].
+  Stars(std::vector<std::size_t> start, std::vector<Index> ids)
+      : start_(std::move(start)), ids_(std::move(ids)) {}
+
+  std::size_t size() const { return start_.size() - 1; }
+  Star operator[](std::size_t i) const { return {ids_.data() + start_[i], start_[i + 1] - start_[i]}; }
+  std::size_t start(std::size_t i) const { return start_[i]; }
+
+ private:
+  std::vector<std::size_t> start_;
+  std::vector<Index> ids_;
+};
+
+// The point's neighbours, and those that have it as theirs, are laid out in its tangent
 // plane at their true distance; its Voronoi cell is cut out of the plane by their bisectors, nearest first,
 // and the bisectors that bound the cell name the star. Needs about one microsecond a point; no general
 // Delaunay triangulation is built.
 //
 // Neighbours in lists of each other are needed at density borders: a point on the dense side does not have
 // those of the sparse side among its nearest, but they have it.
-std::vector<Star> find_stars(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
-                             const std::vector<Frame>& frames, const Run& run);
+Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                 const std::vector<Frame>& frames, const Run& run);
 
 }  // namespace rimline::exact
