@@ -292,17 +292,18 @@ class Survey {
       const Redrawn drawn = redraw(points_, neighbours_, spacing_, loop.points, normals_along(loop), blur_);
       if (drawn.loop.empty()) continue;
       const double length = loop_length(points_, drawn.loop);
-      constexpr double most =
-          1.3;  // times the length before: the way through points beside the rim is longer
+      constexpr double most = 1.3;  // times the length before
       mark(loop.points, 0);
       const bool meets =
           std::any_of(drawn.loop.begin(), drawn.loop.end(), [&](Index id) { return taken[id]; });
       if (!meets && length <= most * loop.length) {
-        loop.points = drawn.loop;
-        loop.length = length;
         for (std::size_t i = 0; i < drawn.near.size(); ++i) {
           result_.probability[drawn.near[i]] =
               static_cast<float>(blurred_probability(drawn.depth[i], blur_.noise, loop.probability));
+        }
+        if (blur_.noise > 0) {  // without noise the search knows better which points the line goes through
+          loop.points = drawn.loop;
+          loop.length = length;
         }
       }
       mark(loop.points, 1);

@@ -213,14 +213,27 @@ double row_of(const Places& places, const std::vector<Bead>& beads) {
 }
 
 // How many points the rim has.
-std::size_t expected_count(const Curve& curve, const Places& places, double row, const Blur& blur) {
+std::size_t expected_count(const Curve& curve, const Places& places, double row) {
   constexpr double near = 0.8, far = 2.2;  // spacings behind the rim, where the density is measured
-  // Of random points half a spacing's worth; under noise some less, as the way through all of them gets long.
-  const double beside = blur.irregular * (blur.noise > 0 ? 0.4 : 0.5);
   const auto behind = static_cast<double>(places.beyond(row - far) - places.beyond(row - near));
   const double density = behind / ((far - near) * curve.length((near + far) / 2 - row));
-  const double count = (1 + beside) * std::sqrt(density) * curve.length(-row);
+  const double count = std::sqrt(density) * curve.length(-row);
   return count < 1e9 ? static_cast<std::size_t>(std::lround(count)) : 0;  // 0 where there is no area behind
+}
+
+// How many points are so close behind a rim of `count` points that nothing tells them from it: of random ones
+// half a spacing's worth.
+std::size_t beside(std::size_t count, const Blur& blur) {
+  return static_cast<std::size_t>(std::lround(0.5 * blur.irregular * static_cast<double>(count)));
+}
+
+// The first `count` places, along the curve.
+std::vector<Bead> outermost(const std::vector<Place>& places, std::size_t count) {
+  std::vector<Bead> beads;
+  for (std::size_t i = 0; i < count; ++i) beads.push_back({places[i].t, places[i].point, places[i].normal});
+  std::sort(beads.begin(), beads.end(),
+            [](const Bead& a, const Bead& b) { return std::tie(a.t, a.point) < std::tie(b.t, b.point); });
+  return beads;
 }
 
 // Turns stretches of the loop round where that makes it shorter, as seen along the normals: then it does not
@@ -258,34 +271,33 @@ Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<do
   constexpr int rounds = 3;  // each fits the curve to the loop of the last
   if (rim.size() < shortest) return {};
   const double window = 4 + 8 * blur.noise;  // the curve must average over more where points scatter more
-  std::vector<Bead> beads;
+  std::vector<Bead> beads, on_rim;
   for (std::size_t i = 0; i < rim.size(); ++i) beads.push_back({static_cast<double>(i), rim[i], normals[i]});
   Curve curve(points, neighbours, spacing);
   Redrawn result;
   for (int round = 0; round < rounds; ++round) {
     if (!curve.fit(beads, static_cast<double>(rim.size()), window)) return {};
     const Places places(curve, points, neighbours, beads);
-    std::size_t count = expected_count(curve, places, row_of(places, beads), blur);
+    std::size_t count = expected_count(curve, places, row_of(places, beads));
     if (count < shortest || count >= places.found().size()) return {};
     // A rim with more points than that is sampled more closely along than across it, as by scan lines: what
     // is behind does not tell its points.
-    if (count < rim.size()) return {};
+    if (count + beside(count, blur) < rim.size()) return {};
     count = places.valley(count);
     const auto& all = places.found();
-    beads.clear();
-    for (std::size_t i = 0; i < count; ++i) beads.push_back({all[i].t, all[i].point, all[i].normal});
-    std::sort(beads.begin(), beads.end(),
-              [](const Bead& a, const Bead& b) { return std::tie(a.t, a.point) < std::tie(b.t, b.point); });
+    const std::size_t last = std::min(all.size() - 1, count + beside(count, blur));
+    on_rim = outermost(all, count);
+    beads = outermost(all, last);
     result.near.clear();
     result.depth.clear();
-    const double line = 0.5 * (all[count - 1].out + all[count].out);
+    const double line = 0.5 * (all[last - 1].out + all[last].out);
     for (const Place& p : all) {
       result.near.push_back(p.point);
       result.depth.push_back(p.out - line);
     }
   }
-  shorten(points, beads);
-  for (const Bead& bead : beads) result.loop.push_back(bead.point);
+  shorten(points, on_rim);
+  for (const Bead& bead : on_rim) result.loop.push_back(bead.point);
   return result;
 }
 

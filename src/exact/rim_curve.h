@@ -18,7 +18,8 @@ struct Blur {
 struct Redrawn {
   std::vector<Index> loop;  // simple; empty where the rim can not be drawn anew
   std::vector<Index> near;  // all points that were looked at: those of the loop, then the others, inwards ...
-  std::vector<double> depth;  // ... and how far outside the dividing line each lies, in spacings
+  std::vector<double> depth;  // ... and how far outside the line each lies, in spacings, that parts the
+                              // points that may be on the boundary from those inside it
 };
 
 // Which of the points that noise scatters about a rim a triangulation ends at is chance. So a curve is fitted
@@ -27,7 +28,8 @@ struct Redrawn {
 // other points are inside, as the line between lies outside of them.
 //
 // A rim has one point to a spacing (the root of the area of a point). Where points are strewn at random,
-// those within half a spacing of the rim are on it as well: nothing tells them from it.
+// those within half a spacing of the rim may be on it as well: nothing tells them from it. The loop does not
+// go through them, as it would be a tenth too long and jagged.
 //
 // `rim`: a loop with the surface on its left; `normals`: unit normals of the surface at its points, oriented
 // alike. The rim must be longer than about ten spacings.
