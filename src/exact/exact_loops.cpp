@@ -91,6 +91,13 @@ class Survey {
     RimSearchOptions o;
     o.population = options_.rim_population;
     o.generations = options_.rim_generations;
+    if (blur_.noise > 0) {
+      // Noise spreads the sizes of triangles, but opens no holes as chance does among random points.
+      constexpr double by_noise = 1;
+      const auto blend = [&](double& cost) { cost = by_noise + (cost - by_noise) * blur_.irregular; };
+      blend(o.weights.birth);
+      blend(o.weights.birth_spread);
+    }
     RimSearchSummary& summary = result_.search;
     summary.history.assign(options_.rim_generations, {});
     for (int round = 0; round < 2; ++round) {

@@ -209,6 +209,15 @@ TEST_CASE("noise of a fifth of the spacing tears no holes into random samples") 
   }
 }
 
+TEST_CASE("a small hole is found under noise of half a spacing") {
+  int found = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
+    const Sample sample = make(Shape::SphereMinusCap, Sampling::DensityStep, 1000, 0.5, seed);
+    found += find_loops(sample.points).loops.size() == 1;
+  }
+  CHECK(found >= 5);
+}
+
 TEST_CASE("the length of a loop is that of the points as they were given") {
   const Sample noisy = make(Shape::HemisphereCap, Sampling::BlueNoise, 1000, 0.5);
   const Found found = find_loops(noisy.points);
