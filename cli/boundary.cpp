@@ -13,8 +13,9 @@ void run_boundary(const MethodArguments& arguments) {
   const auto outputs = outputs_of(arguments, {"--output", arguments.output, {"ply"}});
   check_outputs(outputs);
   Session session(arguments.common);
-  Inputs in = read_inputs(arguments, session.run());
+  Inputs in = read_inputs(arguments, session);
   const BoundaryResult result = find_boundary(in.cloud.points, arguments.options(), session.run(), in.given);
+  session.clock().enter(Stage::Write);
   if (!arguments.output.empty()) {
     put_boundary_columns(in.cloud, result);
     write_cloud(arguments.output, in.cloud, session.run());

@@ -6,6 +6,8 @@
 
 #include <csignal>
 
+#include "rimline/io.h"
+
 namespace rimline::cli {
 
 std::atomic<bool> interrupted{false};
@@ -15,7 +17,9 @@ namespace {
 
 constexpr int status_interrupted = 5;
 
+// Where no step has looked at `interrupted` in time.
 extern "C" void on_deadline(int) {
+  remove_unfinished_files();
   const char text[] = "\nrimline: interrupted\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
   _exit(status_interrupted);

@@ -13,26 +13,41 @@ std::vector<Output> outputs_of(const MethodArguments& arguments, const Output& m
           {"--report", arguments.report, {"json"}}};
 }
 
-Inputs read_inputs(const MethodArguments& arguments, const Run& run) {
+Inputs read_inputs(const MethodArguments& arguments, Session& session) {
   if (arguments.input == "-" && arguments.use_loops == "-") {
     throw Error(ErrorCode::BadOption, "IN and --use-loops can not both be standard input");
   }
+  session.clock().enter(Stage::Read);
   Inputs inputs;
-  inputs.cloud = read_cloud(arguments.input, run);
+  inputs.cloud = read_cloud(arguments.input, session.run());
   inputs.given.normals = inputs.cloud.normals();
   if (!arguments.use_loops.empty()) {
     inputs.given.loops = read_loops(arguments.use_loops, inputs.cloud.points.size());
   }
+  session.clock().leave();
   return inputs;
 }
 
+namespace {
+
+// Reading before what the library timed, writing after it.
+void add_costs(std::vector<StageCost>& stages, const std::vector<StageCost>& around) {
+  for (const StageCost& cost : around) {
+    stages.insert(cost.stage == Stage::Read ? stages.begin() : stages.end(), cost);
+  }
+}
+
+}  // namespace
+
 void finish(const MethodArguments& arguments, const std::vector<Output>& outputs, const Scene& scene,
-            const Report& report, Session& session) {
+            Report report, Session& session) {
   const Run& run = session.run();
   run.check_cancel();
   if (!arguments.loops.empty()) write_loops(arguments.loops, report.loops, scene.points, run);
   if (!arguments.picture.empty()) write_picture(arguments.picture, scene, run);
   run.check_cancel();
+  session.clock().leave();
+  add_costs(report.stages, session.clock().costs());
   if (!arguments.report.empty()) write_text(arguments.report, to_json(report));
   session.bar().erase();
   if (!arguments.common.quiet) {

@@ -22,10 +22,12 @@ struct Inputs {
 std::vector<Output> outputs_of(const MethodArguments& arguments, const Output& main_output);
 
 // The points, their normals and the boundary made by hand, where there is one.
-Inputs read_inputs(const MethodArguments& arguments, const Run& run);
+Inputs read_inputs(const MethodArguments& arguments, Session& session);
 
-// Writes the loops, the picture and the report, as far as they were asked for, then prints the summary.
+// Writes the loops, the picture and the report, as far as they were asked for, then prints the summary. The
+// stages Read and Write join those of the report; Write is what came since session.clock() entered it, less
+// the report itself.
 void finish(const MethodArguments& arguments, const std::vector<Output>& outputs, const Scene& scene,
-            const Report& report, Session& session);
+            Report report, Session& session);
 
 }  // namespace rimline::cli

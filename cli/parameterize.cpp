@@ -13,9 +13,10 @@ void run_parameterize(const MethodArguments& arguments) {
   const auto outputs = outputs_of(arguments, {"--output", arguments.output, {"ply"}});
   check_outputs(outputs);
   Session session(arguments.common);
-  Inputs in = read_inputs(arguments, session.run());
+  Inputs in = read_inputs(arguments, session);
   const ParameterizeResult result =
       parameterize(in.cloud.points, arguments.options(), session.run(), in.given);
+  session.clock().enter(Stage::Write);
   put_map_columns(in.cloud, result.uv, result.boundary.boundary);
   write_cloud(arguments.output, in.cloud, session.run());
   finish(arguments, outputs,

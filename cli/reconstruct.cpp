@@ -13,8 +13,9 @@ void run_reconstruct(const MethodArguments& arguments) {
   const auto outputs = outputs_of(arguments, {"--output", arguments.output, {}, true, check_mesh_path});
   check_outputs(outputs);
   Session session(arguments.common);
-  Inputs in = read_inputs(arguments, session.run());
+  Inputs in = read_inputs(arguments, session);
   const ReconstructResult result = reconstruct(in.cloud.points, arguments.options(), session.run(), in.given);
+  session.clock().enter(Stage::Write);
   put_map_columns(in.cloud, result.uv, result.boundary.boundary);
   if (!result.patch.empty()) set_column(in.cloud, make_column("component", result.patch));
   write_mesh(arguments.output, in.cloud, result.triangles, session.run());

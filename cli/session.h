@@ -7,6 +7,7 @@
 #include "arguments.h"
 #include "interrupt.h"
 #include "progress.h"
+#include "rimline/stage_clock.h"
 
 namespace rimline::cli {
 
@@ -21,6 +22,8 @@ class Session {
 
   const Run& run() const { return run_; }
   ProgressBar& bar() { return bar_; }
+  // Of reading and writing; the library times what lies between.
+  StageClock& clock() { return clock_; }
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
@@ -28,6 +31,7 @@ class Session {
  private:
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   ProgressBar bar_;
+  StageClock clock_;
   Run run_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stage_clock.h"
+#include "rimline/stage_clock.h"
 
 #include <sys/resource.h>
 

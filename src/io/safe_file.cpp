@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
@@ -46,6 +48,27 @@ std::size_t print(char* to, std::size_t size, T value) {
 
 constexpr std::size_t longest_number = 32;
 
+// The temporary files that are open, where a signal handler can find them: fixed memory, no locks. A file
+// beyond the last slot is not listed; the tool writes one at a time.
+struct Slot {
+  std::atomic<bool> taken{false}, filled{false};
+  std::array<char, 4096> name{};  // PATH_MAX
+};
+std::array<Slot, 16> unfinished;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+
+// The slot's number, or -1.
+int list_unfinished(const std::string& name) {
+  if (name.size() >= Slot{}.name.size()) return -1;
+  for (std::size_t i = 0; i < unfinished.size(); ++i) {
+    if (unfinished[i].taken.exchange(true)) continue;
+    std::memcpy(unfinished[i].name.data(), name.c_str(), name.size() + 1);
+    unfinished[i].filled = true;
+    return static_cast<int>(i);
+  }
+  return -1;
+}
+
 }  // namespace
 
 SafeFile::SafeFile(std::string path) : path_(std::move(path)), buffer_(buffer_size) {
@@ -74,7 +97,10 @@ void SafeFile::open_temporary() {
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     temporary_ = temporary_name(target_, attempt);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0) return;
+    if (descriptor_ >= 0) {
+      slot_ = list_unfinished(temporary_);
+      return;
+    }
     if (errno != EEXIST) break;
   }
   temporary_.clear();
@@ -88,6 +114,15 @@ void SafeFile::open_temporary() {
 SafeFile::~SafeFile() {
   if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  forget_temporary();
+}
+
+void SafeFile::forget_temporary() {
+  temporary_.clear();
+  if (slot_ < 0) return;
+  unfinished[slot_].filled = false;
+  unfinished[slot_].taken = false;
+  slot_ = -1;
 }
 
 void SafeFile::fail(const std::string& action) const {
@@ -145,10 +180,16 @@ void SafeFile::commit() {
   }
   if (temporary_.empty()) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot be replaced");
-  temporary_.clear();
+  forget_temporary();
 }
 
 }  // namespace io
+
+void remove_unfinished_files() noexcept {
+  for (io::Slot& slot : io::unfinished) {
+    if (slot.filled) ::unlink(slot.name.data());
+  }
+}
 
 void write_text(const std::string& path, const std::string& text) {
   io::SafeFile file(path);

@@ -43,8 +43,11 @@ class SafeFile {
   }
   [[noreturn]] void fail(const std::string& action) const;
 
+  void forget_temporary();
+
   std::string path_, target_, temporary_;  // as given; links followed; what is open now, if renamed later
   int descriptor_ = -1;
+  int slot_ = -1;  // of temporary_ in the list for remove_unfinished_files()
   std::vector<char> buffer_;
   std::size_t used_ = 0;
 };

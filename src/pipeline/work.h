@@ -10,7 +10,7 @@
 #include "rimline/exact_loops.h"
 #include "rimline/neighbours.h"
 #include "rimline/pipeline.h"
-#include "stage_clock.h"
+#include "rimline/stage_clock.h"
 
 namespace rimline::pipeline {
 

@@ -181,6 +181,46 @@ TEST_CASE("status 5: Ctrl-C while a stage runs ends it and leaves no file") {
   }
 }
 
+TEST_CASE("status 5: every stage stops by itself, before the next begins and without the deadline") {
+  const Folder folder;
+  const std::string input = sample(folder, "bumpy-square", "60000");
+  const Names stages = {"neighbours",  "boundary", "loops",   "parameterize",
+                        "triangulate", "refine",   "measure", "write"};
+  const auto stops = [&](const std::string& preset, const std::string& stage) {
+    const Finished stopped =
+        run({.arguments = {"reconstruct", input, "-o", folder / "mesh.ply", "--preset", preset,
+                           "--max-path-steps", "20000000"},
+             .terminal = true,
+             .signal = SIGINT,
+             .deadline = false,
+             .signal_when = [&](const std::string& err, bool) { return contains(err, "\033[K" + stage); }});
+    CAPTURE(preset);
+    CAPTURE(stage);
+    CAPTURE(stopped.err);
+    CHECK(folder.names() == Names{"sample.ply"});
+    CHECK(stopped.status == 5);
+    CHECK(contains(stopped.err, "rimline: interrupted"));
+    const auto at = std::find(stages.begin(), stages.end(), stage);
+    for (auto later = at + 1; later < stages.end(); ++later) CHECK(!contains(stopped.err, "\033[K" + *later));
+  };
+  for (const std::string stage : {"neighbours", "boundary", "loops", "refine"}) stops("default", stage);
+  for (const std::string stage : {"loops", "parameterize", "triangulate"}) stops("paper", stage);
+}
+
+TEST_CASE("status 5: a second Ctrl-C ends the tool at once") {
+  const Folder folder;
+  const std::string input = sample(folder, "bumpy-square", "60000");
+  const Finished stopped =
+      run({.arguments = {"reconstruct", input, "-o", folder / "mesh.obj"},
+           .terminal = true,
+           .signal = SIGINT,
+           .signals = 2,
+           .signal_when = [&](const std::string& err, bool) { return contains(err, "refine"); }});
+  CAPTURE(stopped.err);
+  CHECK(stopped.status == 5);
+  CHECK(folder.names() == Names{"sample.ply"});
+}
+
 TEST_CASE("status 5: Ctrl-C while the tool waits for standard input") {
   const Folder folder;
   const Finished stopped =

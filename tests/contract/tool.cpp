@@ -49,6 +49,12 @@ void limit(int resource, std::size_t most) {
   dup2(in, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
+  if (!call.deadline) {  // the mask outlives exec
+    sigset_t mask;
+    sigemptyset(&mask);
+    sigaddset(&mask, SIGALRM);
+    sigprocmask(SIG_BLOCK, &mask, nullptr);
+  }
   limit(RLIMIT_AS, call.memory);
   limit(RLIMIT_FSIZE, call.file_size);
   std::vector<char*> argv = {const_cast<char*>("rimline")};
@@ -94,7 +100,7 @@ struct Child {
 
   void signal_if_due(const Finished& so_far) {
     if (signalled || call.signal == 0 || !call.signal_when(so_far.err, input_taken())) return;
-    kill(id, call.signal);
+    for (int i = 0; i < call.signals; ++i) kill(id, call.signal);
     signalled = true;
   }
 

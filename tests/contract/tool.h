@@ -18,7 +18,9 @@ struct Call {
   std::string output_to = {};    // standard output goes to this file instead of `Finished::out`
   std::size_t memory = 0;        // bytes of address space, 0 for no limit
   std::size_t file_size = 0;     // most bytes of any file, 0 for no limit
-  int signal = 0;                // sent once, as soon as `signal_when` says so
+  int signal = 0;                // sent as soon as `signal_when` says so
+  int signals = 1;               // how often
+  bool deadline = true;          // false: the timer that ends an interrupted tool never fires
   std::function<bool(const std::string& err, bool input_taken)> signal_when = {};
 };
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/files.h"
+#include "io/safe_file.h"
 
 namespace rimline {
 namespace {
@@ -135,6 +136,20 @@ TEST_CASE("what can not be written is named with the reason") {
   CHECK(contains(write_complaint(directory.file("")), "Is a directory"));
   CHECK(directory.names().empty());
   if (fs::exists("/dev/full")) CHECK(contains(write_complaint("/dev/full"), "No space left on device"));
+}
+
+TEST_CASE("a handler that ends the process removes what is being written, and no file that is whole") {
+  const TemporaryDirectory directory;
+  write_text(directory.file("whole.txt"), "done");
+  {
+    io::SafeFile cut(directory.file("cut.txt"));
+    cut.write("half of it");
+    CHECK(directory.names().size() == 2);
+    remove_unfinished_files();
+    CHECK(directory.names() == std::vector<std::string>{"whole.txt"});
+  }
+  remove_unfinished_files();
+  CHECK(directory.names() == std::vector<std::string>{"whole.txt"});
 }
 
 TEST_CASE("a cancelled write leaves the old file and nothing beside it") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each stage of a pipeline takes.
+// What each stage takes: seconds and memory. The pipeline times its own; who reads and writes files around it
+// times these.
 #pragma once
 
 #include <chrono>
