@@ -45,7 +45,7 @@ struct Run {
   int threads = 0;         // most threads used at once; 0 takes all cores. The result does not depend on it.
 
   // Called from the thread that called the stage, at least ten times a second on long work.
-  std::function<void(Progress)> on_progress;
+  std::function<void(Progress)> on_progress = {};
 
   // Set it (from another thread or a signal handler) and the running stage throws Error{Cancelled} soon
   // after, well within a second.
