@@ -6,6 +6,7 @@
 #include <geogram/basic/common.h>
 #include <geogram/basic/geometry.h>
 #include <geogram/basic/logger.h>
+#include <geogram/basic/process.h>
 #include <geogram/mesh/mesh.h>
 #include <geogram/mesh/mesh_geometry.h>
 #include <geogram/points/co3ne.h>
@@ -64,6 +65,11 @@ Answer as_command_line(const Coordinates& points) {
   return triangles_of(mesh, points);
 }
 
+Answer on_all_cores(const Coordinates& points) {
+  GEO::Process::enable_multithreading(true);
+  return as_command_line(points);
+}
+
 Answer without_filling(const Coordinates& points) {
   GEO::CmdLine::set_arg("co3ne:max_hole_edges", "0");
   GEO::CmdLine::set_arg("co3ne:max_hole_area", "0");
@@ -84,5 +90,7 @@ int main(int argc, char** argv) {
   GEO::CmdLine::import_arg_group("algo");
   GEO::CmdLine::import_arg_group("co3ne");
   GEO::CmdLine::set_arg("sys:multithread", "false");
-  return serve(argc, argv, {{"co3ne", as_command_line}, {"co3ne-no-fill", without_filling}});
+  return serve(
+      argc, argv,
+      {{"co3ne", as_command_line}, {"co3ne-parallel", on_all_cores}, {"co3ne-no-fill", without_filling}});
 }

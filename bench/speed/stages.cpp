@@ -2,11 +2,13 @@
 // Each stage alone, at the defaults, on one and two threads.
 #include <benchmark/benchmark.h>
 
+#include <cstring>
 #include <vector>
 
 #include "clouds.h"
 #include "rimline/arrange.h"
 #include "rimline/boundary.h"
+#include "rimline/exact_loops.h"
 #include "rimline/neighbours.h"
 #include "rimline/triangulate.h"
 
@@ -67,6 +69,28 @@ void delaunay_stage(benchmark::State& state) {
   count_points(state);
 }
 
+void find_exact_loops_stage(benchmark::State& state) {
+  const auto& points = arranged_sheet(size_of(state));
+  const Neighbours neighbours = find_neighbours(points, k, {});
+  const BoundaryScores scores = score_boundary(points, neighbours, {}, {});
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        find_exact_loops(points, neighbours, scores, {}, 0.9, run_of(state)).loops.data());
+  }
+  count_points(state);
+}
+
+// What memory gives: bytes copied. The limit of every stage.
+void memory_copy(benchmark::State& state) {
+  const std::vector<char> from(static_cast<std::size_t>(state.range(0)), 1);
+  std::vector<char> to(from.size());
+  for (auto _ : state) {
+    std::memcpy(to.data(), from.data(), from.size());
+    benchmark::ClobberMemory();
+  }
+  state.SetBytesProcessed(state.iterations() * state.range(0));
+}
+
 void on_one_thread(benchmark::internal::Benchmark* b) {
   b->ArgsProduct({{10'000, 100'000, 1'000'000}, {1}})->ArgNames({"points", "threads"});
   b->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
@@ -81,7 +105,9 @@ BENCHMARK(neighbours_stage)->Apply(on_threads);
 BENCHMARK(neighbours_stage_in_input_order)->Apply(on_threads);
 BENCHMARK(leave_out_stray_stage)->Apply(on_one_thread);
 BENCHMARK(score_boundary_stage)->Apply(on_threads);
+BENCHMARK(find_exact_loops_stage)->Apply(on_threads);
 BENCHMARK(delaunay_stage)->Apply(on_one_thread);
+BENCHMARK(memory_copy)->Arg(1 << 28)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace rimline::bench
