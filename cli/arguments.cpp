@@ -159,6 +159,11 @@ void add_common(CLI::App& command, Common& common) {
              group, [&](const std::string& text) {
                common.threads = static_cast<int>(parse_whole("--threads", text, 0, most_threads));
              });
+  add_parsed(command, "--memory-limit", "BYTES",
+             "Refuse, with the estimate, what would need more memory; 1.5M and 12G are understood, 0 sets no "
+             "limit. Default 0.",
+             group,
+             [&](const std::string& text) { common.memory_limit = parse_bytes("--memory-limit", text); });
   command.add_flag("-q,--quiet", common.quiet, "Print nothing but errors and what was asked for as output")
       ->group(group);
 }

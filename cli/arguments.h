@@ -20,6 +20,7 @@ struct Common {
   Preset preset = Preset::Default;
   std::uint64_t seed = 1;
   int threads = 0;
+  std::size_t memory_limit = 0;  // bytes; 0 for none
   bool quiet = false;
 };
 

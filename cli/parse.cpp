@@ -50,6 +50,29 @@ std::uint64_t parse_seed(const std::string& flag, const std::string& text) {
   return *value;
 }
 
+std::size_t parse_bytes(const std::string& flag, const std::string& text) {
+  constexpr double most = 1e18;
+  double unit = 1;
+  std::string digits = text;
+  if (!text.empty()) {
+    switch (text.back()) {
+      case 'k':
+      case 'K': unit = 1e3; break;
+      case 'm':
+      case 'M': unit = 1e6; break;
+      case 'g':
+      case 'G': unit = 1e9; break;
+      default: break;
+    }
+    if (unit > 1) digits.pop_back();
+  }
+  const auto value = whole_text<double>(digits);
+  if (!value || !(*value >= 0) || !(*value * unit <= most)) {
+    refuse(flag, "a number of bytes from 0 to 1e18, with K, M or G behind it or not", text);
+  }
+  return static_cast<std::size_t>(*value * unit);
+}
+
 double parse_number(const std::string& flag, const std::string& text, double least, double most) {
   const auto value = whole_text<double>(text);
   // Written so that NaN, which compares false with everything, is refused.

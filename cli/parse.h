@@ -19,6 +19,8 @@ namespace rimline::cli {
 std::int64_t parse_whole(const std::string& flag, const std::string& text, std::int64_t least,
                          std::int64_t most);
 std::uint64_t parse_seed(const std::string& flag, const std::string& text);
+// A number of bytes: 1500000, 1.5M, 12G; K, M and G count in thousands.
+std::size_t parse_bytes(const std::string& flag, const std::string& text);
 double parse_number(const std::string& flag, const std::string& text, double least, double most);
 bool parse_switch(const std::string& flag, const std::string& text);
 // Three numbers with commas between them, not all of them zero.

@@ -16,6 +16,7 @@ class Session {
   explicit Session(const Common& common) : bar_(!common.quiet) {
     run_.seed = common.seed;
     run_.threads = common.threads;
+    run_.memory_limit = common.memory_limit;
     run_.stop = &interrupted;
     run_.on_progress = [this](Progress progress) { bar_.show(progress); };
   }

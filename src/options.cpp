@@ -37,6 +37,11 @@ const char* name(Domain domain) {
   return "?";
 }
 
+int most_neighbours(const Options& options) {
+  constexpr int spacing_k = 6;  // of local_spacing()
+  return std::max({options.boundary.k, options.loops.path_k, options.map.map_k, spacing_k});
+}
+
 Options preset_options(Preset preset) {
   Options options;
   options.preset = preset;

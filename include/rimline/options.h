@@ -103,6 +103,9 @@ struct Options {
   MeshOptions mesh;
 };
 
+// The length of the lists of neighbours that a run keeps.
+int most_neighbours(const Options& options);
+
 // The defaults of a preset.
 Options preset_options(Preset preset);
 

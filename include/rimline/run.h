@@ -44,6 +44,10 @@ struct Run {
   std::uint64_t seed = 1;  // every random stream starts from it
   int threads = 0;         // most threads used at once; 0 takes all cores. The result does not depend on it.
 
+  // Most bytes that the process may hold, 0 for no limit: where more will be needed by the estimate of
+  // memory.h, or by the size of a file, OutOfMemory is thrown before anything of that size is allocated.
+  std::size_t memory_limit = 0;
+
   // Called from the thread that called the stage, at least ten times a second on long work.
   std::function<void(Progress)> on_progress = {};
 

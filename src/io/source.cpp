@@ -66,6 +66,13 @@ std::size_t read_up_to(int descriptor, char* to, std::size_t room, const std::st
   return have;
 }
 
+void check_limit(std::size_t size, const std::string& name, const Run& run) {
+  if (run.memory_limit == 0 || size <= run.memory_limit) return;
+  throw Error(ErrorCode::OutOfMemory,
+              name + ": has " + std::to_string(size) + " bytes, more than the memory limit of " +
+                  std::to_string(run.memory_limit) + "; raise the limit or thin the cloud");
+}
+
 // The size is not known: the buffer doubles as bytes come in.
 Source load_stream(int descriptor, const std::string& name, const Run& run) {
   std::size_t room = std::size_t{1} << 16, size = 0;
@@ -73,6 +80,7 @@ Source load_stream(int descriptor, const std::string& name, const Run& run) {
   for (;;) {
     size += read_up_to(descriptor, storage.get() + size, room - size, name, run);
     run.progress(Stage::Read, 0, 0);
+    check_limit(size < room ? size : 2 * room, name, run);
     if (size < room) return Source(name, std::move(storage), size);
     auto larger = std::make_unique_for_overwrite<char[]>(2 * room);
     std::memcpy(larger.get(), storage.get(), size);
@@ -124,6 +132,7 @@ Source load(const std::string& path, const Run& run) {
     struct stat status {};
     if (::fstat(descriptor.value(), &status) != 0) cannot_read(name, std::strerror(errno));
     if (S_ISDIR(status.st_mode)) cannot_read(name, "is a directory; name a file in it");
+    check_limit(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)), name, run);
     // Standard input may stand in the middle of a file, and files of the kernel say 0.
     const bool sized = S_ISREG(status.st_mode) && status.st_size > 0 && path != "-";
     return sized ? load_file(descriptor.value(), static_cast<std::size_t>(status.st_size), name, run)

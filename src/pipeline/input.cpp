@@ -6,14 +6,6 @@
 #include "rimline/measure.h"
 
 namespace rimline::pipeline {
-namespace {
-
-int most_neighbours(const Options& options) {
-  return std::max({options.boundary.k, options.loops.path_k, options.map.map_k, 6});
-}
-
-}  // namespace
-
 void check_input(const Work& work) {
   check_options(work.options);
   if (work.is_paper() && work.options.map.domain != Domain::Disc) {

@@ -6,6 +6,7 @@
 #include "pipeline/input.h"
 #include "pipeline/map_and_mesh.h"
 #include "pipeline/results.h"
+#include "rimline/memory.h"
 
 namespace rimline {
 
@@ -13,10 +14,11 @@ using namespace pipeline;
 
 namespace {
 
-// The loops of the input: where all three ways begin.
-Work with_loops(Points points, const Options& options, const Run& run, const Given& given) {
+// The loops of the input: where all three ways begin. `last` is the stage that they end with.
+Work with_loops(Points points, const Options& options, const Run& run, const Given& given, Stage last) {
   Work work{points, options, run, given};
   check_input(work);
+  check_memory(points.size(), options, last, run);
   prepare(work);
   find_loops(work);
   return work;
@@ -25,12 +27,12 @@ Work with_loops(Points points, const Options& options, const Run& run, const Giv
 }  // namespace
 
 BoundaryResult find_boundary(Points points, const Options& options, const Run& run, const Given& given) {
-  Work work = with_loops(points, options, run, given);
+  Work work = with_loops(points, options, run, given, Stage::Loops);
   return boundary_result(work);
 }
 
 ParameterizeResult parameterize(Points points, const Options& options, const Run& run, const Given& given) {
-  Work work = with_loops(points, options, run, given);
+  Work work = with_loops(points, options, run, given, Stage::Refine);
   work.is_paper() ? map_to_the_disc(work) : mesh_patches(work);
   ParameterizeResult result;
   result.uv = uv_of_input(work);
@@ -39,7 +41,7 @@ ParameterizeResult parameterize(Points points, const Options& options, const Run
 }
 
 ReconstructResult reconstruct(Points points, const Options& options, const Run& run, const Given& given) {
-  Work work = with_loops(points, options, run, given);
+  Work work = with_loops(points, options, run, given, Stage::Measure);
   if (work.is_paper()) {
     map_to_the_disc(work);
     triangulate_the_disc(work);

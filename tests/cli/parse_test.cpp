@@ -20,6 +20,18 @@ TEST_CASE("whole numbers are read whole, in plain or in scientific writing") {
   }
 }
 
+TEST_CASE("bytes are read with and without a unit") {
+  CHECK(parse_bytes("--memory-limit", "0") == 0);
+  CHECK(parse_bytes("--memory-limit", "1500") == 1500);
+  CHECK(parse_bytes("--memory-limit", "1.5k") == 1500);
+  CHECK(parse_bytes("--memory-limit", "2M") == 2'000'000);
+  CHECK(parse_bytes("--memory-limit", "12G") == 12'000'000'000);
+  for (const char* text : {"", "G", "-1", "1T", "1 G", "12GB", "nan", "inf", "1e30", "1e12G"}) {
+    CAPTURE(text);
+    CHECK_THROWS_AS(parse_bytes("--memory-limit", text), Error);
+  }
+}
+
 TEST_CASE("the ends of a range belong to it") {
   CHECK(parse_number("--noise", "0", 0, 2) == 0);
   CHECK(parse_number("--noise", "2", 0, 2) == 2);

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
+#include "rimline/memory.h"
 #include "tool.h"
 
 using namespace rimline::test;
@@ -159,6 +160,46 @@ TEST_CASE("status 4: out of memory") {
   CHECK(refused.status == 4);
   CHECK(contains(refused.err, "memory"));
   CHECK(folder.names() == Names{"sample.ply"});
+}
+#endif
+
+TEST_CASE(
+    "status 4: what would need more memory than the limit is refused with the estimate, before it starts") {
+  const Folder folder;
+  const std::string input = sample(folder, "flat-disc", "20000");
+  const std::string mesh = folder / "mesh.ply", report = folder / "report.json";
+  const auto refused = rimline::test::rimline({"reconstruct", input, "-o", mesh, "--memory-limit", "30M"});
+  CHECK(refused.status == 4);
+  CHECK(contains(refused.err, "20000 points need about"));
+  CHECK(contains(refused.err, "the limit is 0.03 GB"));
+  CHECK(folder.names() == Names{"sample.ply"});
+  const auto file = rimline::test::rimline({"info", input, "--memory-limit", "1k"});
+  CHECK(file.status == 4);
+  CHECK(contains(file.err, "sample.ply"));
+  const auto done =
+      rimline::test::rimline({"reconstruct", input, "-o", mesh, "--report", report, "--memory-limit", "1G"});
+  CHECK(done.status == 0);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they take memory of their own
+TEST_CASE("no stage takes more memory than its estimate") {
+  const Folder folder;
+  const std::string input = sample(folder, "sphere-minus-cap", "50000"), report = folder / "report.json";
+  for (const Names& more : {Names{}, Names{"--k", "60"}}) {
+    Names arguments{"reconstruct", input, "-o", folder / "mesh.ply", "--report", report};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    REQUIRE(rimline::test::rimline(arguments).status == 0);
+    rimline::Options options;
+    if (!more.empty()) options.boundary.k = 60;
+    for (const auto& stage : nlohmann::json::parse(read_file(report))["run"]["stages"]) {
+      CAPTURE(stage.dump());
+      for (const auto& estimate : rimline::estimate_memory(50'000, options)) {
+        if (name(estimate.stage) != stage["stage"].get<std::string>()) continue;
+        CHECK(stage["peak_bytes"].get<std::size_t>() <= estimate.bytes);
+        CHECK(2 * stage["peak_bytes"].get<std::size_t>() >= estimate.bytes);
+      }
+    }
+  }
 }
 #endif
 
