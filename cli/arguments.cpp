@@ -121,6 +121,8 @@ Options MethodArguments::options() const {
     if (given != fields.end()) parse_field(field, given->second);
   });
   if (up) result.mesh.up = *up;
+  if (holes) result.mesh.holes = *holes;
+  if (corners) result.map.corners = *corners;
   return result;
 }
 
@@ -217,8 +219,45 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
              "this way. Default 0,0,1.",
              "Mesh (section 5)",
              [&](const std::string& text) { arguments.up = parse_direction("--up", text); });
+  add_parsed(command, "--holes", "keep|fill|fill:MAX",
+             "Holes that are filled by triangles; the others are loops of the mesh's boundary. fill:30 fills "
+             "those of at most 30 points, fill:2.5u those whose rim is at most 2.5 long, in units of the "
+             "input. Default keep [ours]",
+             "Mesh (section 5)", [&](const std::string& text) {
+               try {
+                 arguments.holes = parse_holes(text);
+               } catch (const Error& error) {
+                 throw Error(error.code(), std::string("--") + error.what());
+               }
+             });
+  add_parsed(command, "--corners", "A,B,C,D",
+             "Corners of the domains square and rectangle: ids of four points on one outer loop. Default: "
+             "where the loop turns most [ours]",
+             "Map (section 5)",
+             [&](const std::string& text) { arguments.corners = parse_corners("--corners", text); });
   add_fields(command, arguments);
   add_common(command, arguments.common);
+}
+
+void add_mesh_method(CLI::App& command, MethodArguments& arguments) {
+  command
+      .add_option(
+          "--reference", arguments.reference,
+          "Measure the mesh against this one (PLY, OBJ, OFF or STL): Hausdorff and mean distances both "
+          "ways, and agreement of edges where the vertices are the same; in the report and the summary")
+      ->type_name("MESH")
+      ->group("Files");
+  command
+      .add_option("--uv-picture", arguments.uv_picture,
+                  "Draw the map: its layout in the plane, and a checkerboard that it puts on the surface")
+      ->type_name("OUT.png|svg")
+      ->group("Files");
+  command
+      .add_flag(
+          "--distortion", arguments.distortion,
+          "Give PLY the properties angle_distortion (radians), area_distortion (ratio), stretch_l2 and "
+          "stretch_linf (Sander et al. 2001), of points and of faces; the report has their summary always")
+      ->group("Map (section 5)");
 }
 
 }  // namespace rimline::cli

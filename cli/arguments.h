@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -31,6 +32,10 @@ struct MethodArguments {
   std::string output, loops, report, picture;
   std::string use_loops;
   std::optional<Point> up;
+  std::optional<HolePolicy> holes;
+  std::optional<std::array<Index, 4>> corners;
+  std::string reference, uv_picture;          // of reconstruct alone
+  bool distortion = false;                    // likewise
   int picture_size = 620;                     // pixels of each panel
   std::map<std::string, std::string> fields;  // options given as flags: the field's name, its text
 
@@ -49,6 +54,9 @@ void add_output(CLI::App& command, std::string& output, const std::string& value
 
 // --loops, --use-loops, --report, --picture, --up and one flag per field of the options.
 void add_method(CLI::App& command, MethodArguments& arguments);
+
+// --reference, --distortion, --uv-picture: what only a mesh can give.
+void add_mesh_method(CLI::App& command, MethodArguments& arguments);
 
 // An option that `parse` turns into a value; what it throws ends the tool with status 1.
 CLI::Option* add_parsed(CLI::App& command, const std::string& flags, const std::string& value,

@@ -2,6 +2,8 @@
 #include "columns.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 
 namespace rimline::cli {
 
@@ -17,6 +19,47 @@ void put_boundary_columns(Cloud& cloud, const BoundaryResult& result) {
                  [](PointLabel l) { return static_cast<std::uint8_t>(l); });
   set_column(cloud, make_column("boundary_probability", result.boundary_probability));
   set_column(cloud, make_column("label", label));
+}
+
+namespace {
+
+template <class T>
+void append_value(std::vector<std::byte>& bytes, T value) {
+  const auto* from = reinterpret_cast<const std::byte*>(&value);
+  bytes.insert(bytes.end(), from, from + sizeof(T));
+}
+
+void append_unknown(Column& column) {
+  constexpr auto nan = std::numeric_limits<double>::quiet_NaN();
+  switch (column.type) {
+    case Scalar::Float32: return append_value(column.bytes, static_cast<float>(nan));
+    case Scalar::Float64: return append_value(column.bytes, nan);
+    default: column.bytes.resize(column.bytes.size() + size_in_bytes(column.type));
+  }
+}
+
+}  // namespace
+
+void add_fill_vertices(Cloud& cloud, const std::vector<Point>& added, BoundaryResult& boundary) {
+  constexpr auto nan = std::numeric_limits<double>::quiet_NaN();
+  cloud.points.insert(cloud.points.end(), added.begin(), added.end());
+  for (Column& column : cloud.columns) {
+    for (std::size_t i = 0; i < added.size(); ++i) append_unknown(column);
+  }
+  const std::size_t count = cloud.points.size();
+  boundary.boundary.resize(count, 0);
+  boundary.loop.resize(count, none);
+  boundary.candidate.resize(count, 0);
+  boundary.p_value.resize(count, nan);
+  boundary.score.resize(count, nan);
+  if (boundary.label.empty()) return;
+  boundary.boundary_probability.resize(count, 0);
+  boundary.label.resize(count, PointLabel::Interior);
+}
+
+std::vector<Column> distortion_columns(const Distortion::Values& values) {
+  return {make_column("angle_distortion", values.angle), make_column("area_distortion", values.area),
+          make_column("stretch_l2", values.stretch), make_column("stretch_linf", values.max_stretch)};
 }
 
 void put_map_columns(Cloud& cloud, const std::vector<UV>& uv, const std::vector<std::uint8_t>& boundary) {

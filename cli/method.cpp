@@ -3,6 +3,7 @@
 
 #include "rimline/io.h"
 #include "summary.h"
+#include "uv_picture.h"
 
 namespace rimline::cli {
 
@@ -10,6 +11,7 @@ std::vector<Output> outputs_of(const MethodArguments& arguments, const Output& m
   return {main_output,
           {"--loops", arguments.loops, {}, true, check_loops_path},
           {"--picture", arguments.picture, {"png", "svg"}, false},
+          {"--uv-picture", arguments.uv_picture, {"png", "svg"}, false},
           {"--report", arguments.report, {"json"}}};
 }
 
@@ -17,12 +19,20 @@ Inputs read_inputs(const MethodArguments& arguments, Session& session) {
   if (arguments.input == "-" && arguments.use_loops == "-") {
     throw Error(ErrorCode::BadOption, "IN and --use-loops can not both be standard input");
   }
+  if (arguments.reference == "-") {
+    throw Error(ErrorCode::BadOption, "--reference wants a file, not standard input");
+  }
   session.clock().enter(Stage::Read);
   Inputs inputs;
   inputs.cloud = read_cloud(arguments.input, session.run());
   inputs.given.normals = inputs.cloud.normals();
   if (!arguments.use_loops.empty()) {
     inputs.given.loops = read_loops(arguments.use_loops, inputs.cloud.points.size());
+  }
+  if (!arguments.reference.empty()) {
+    MeshFile reference = read_mesh(arguments.reference, session.run());
+    inputs.given.reference = {arguments.reference, std::move(reference.cloud.points),
+                              std::move(reference.triangles)};
   }
   session.clock().leave();
   return inputs;
@@ -43,8 +53,11 @@ void finish(const MethodArguments& arguments, const std::vector<Output>& outputs
             Report report, Session& session) {
   const Run& run = session.run();
   run.check_cancel();
-  if (!arguments.loops.empty()) write_loops(arguments.loops, report.loops, scene.points, run);
+  if (!arguments.loops.empty()) {
+    write_loops(arguments.loops, report.loops, scene.points.first(report.points.input), run);
+  }
   if (!arguments.picture.empty()) write_picture(arguments.picture, scene, run);
+  if (!arguments.uv_picture.empty()) write_uv_picture(arguments.uv_picture, scene, run);
   run.check_cancel();
   session.clock().leave();
   add_costs(report.stages, session.clock().costs());

@@ -104,6 +104,21 @@ Point parse_direction(const std::string& flag, const std::string& text) {
   return {parts[0], parts[1], parts[2]};
 }
 
+std::array<Index, 4> parse_corners(const std::string& flag, const std::string& text) {
+  std::vector<Index> ids;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto id = whole_text<Index>(text.substr(begin, end - begin));
+    if (!id || *id < 0 || std::find(ids.begin(), ids.end(), *id) != ids.end()) break;
+    ids.push_back(*id);
+    begin = end + 1;
+  }
+  if (ids.size() != 4 || std::count(text.begin(), text.end(), ',') != 3) {
+    refuse(flag, "the ids of four different points A,B,C,D, such as 0,17,40,63", text);
+  }
+  return {ids[0], ids[1], ids[2], ids[3]};
+}
+
 std::size_t parse_choice(const std::string& flag, const std::string& text,
                          const std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), text);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <span>
@@ -25,6 +26,8 @@ double parse_number(const std::string& flag, const std::string& text, double lea
 bool parse_switch(const std::string& flag, const std::string& text);
 // Three numbers with commas between them, not all of them zero.
 Point parse_direction(const std::string& flag, const std::string& text);
+// Four ids of points with commas between them, all different.
+std::array<Index, 4> parse_corners(const std::string& flag, const std::string& text);
 // The position of `text` in `names`.
 std::size_t parse_choice(const std::string& flag, const std::string& text,
                          const std::vector<std::string>& names);

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture.h"
 
-#include <cairo-svg.h>
 #include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <vector>
 
-#include "outputs.h"
+#include "canvas.h"
 #include "raster.h"
 #include "rimline/arrange.h"
 #include "rimline/io.h"
@@ -24,15 +21,8 @@
 namespace rimline::cli {
 namespace {
 
-constexpr int panel = 620;  // width and height of a panel's drawing; all lengths are for this size
-constexpr int inset = 24;   // left free around what is drawn
-constexpr int head = 76;    // above the drawing, for the title
-constexpr int fine = 2;     // image pixels per pixel, each way
-constexpr int gap = 20;     // between panels
 constexpr std::size_t most_edges = 40'000;  // more of them would only blacken the map
 
-constexpr Colour ink = {0.13, 0.15, 0.18};
-constexpr Colour faint = {0.45, 0.48, 0.52};
 constexpr Colour near_point = {0.12, 0.27, 0.39};
 constexpr Colour far_point = {0.80, 0.86, 0.90};
 constexpr Colour grey_near = {0.58, 0.62, 0.66};
@@ -42,35 +32,6 @@ constexpr Colour outer_colour = {0.82, 0.10, 0.26};
 constexpr Colour hole_colour = {0.06, 0.42, 0.80};
 constexpr Colour front_colour = {0.93, 0.85, 0.72};
 constexpr Colour back_colour = {0.56, 0.66, 0.78};
-
-// From a plane with y up to the pixels of a panel, y down.
-struct Fit {
-  double scale = 1, x0 = 0, y0 = 0;
-
-  Point place(Point p) const { return {scale * p.x + x0, y0 - scale * p.y, scale * p.z}; }
-};
-
-// The map of a box that fills the square panel but for its inset.
-Fit fit(double left, double right, double bottom, double top) {
-  const double room = panel - 2 * inset;
-  Fit result;
-  const double extent = std::max(right - left, top - bottom);
-  result.scale = extent > 0 ? room / extent : 1;
-  result.x0 = panel / 2.0 - result.scale * (left + right) / 2;
-  result.y0 = panel / 2.0 + result.scale * (bottom + top) / 2;
-  return result;
-}
-
-Fit fit(const std::vector<Point>& projected) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  double left = infinite, right = -infinite, bottom = infinite, top = -infinite;
-  for (const Point p : projected) {
-    if (!is_finite(p)) continue;
-    left = std::min(left, p.x), right = std::max(right, p.x);
-    bottom = std::min(bottom, p.y), top = std::max(top, p.y);
-  }
-  return left <= right ? fit(left, right, bottom, top) : Fit{};
-}
 
 // Everything the panels share: where each point is on the panel, and how far its neighbours are.
 struct Stage3d {
@@ -117,8 +78,6 @@ Stage3d arrange_stage(const Scene& scene, const Run& run) {
   stage.spacing = spacing_in_pixels(scene.points, stage.fit.scale, run);
   return stage;
 }
-
-Point finer(Point p) { return fine * p; }
 
 // A screen of discs just behind the points, so that those of the far side do not shine through.
 Raster solid(const Stage3d& stage, const Run& run) {
@@ -176,36 +135,6 @@ void draw_mesh(Raster& raster, const Stage3d& stage, const Run& run) {
     raster.triangle(finer(stage.place[t[0]]), finer(stage.place[t[1]]), finer(stage.place[t[2]]),
                     shade(stage, t));
   }
-}
-
-// --- cairo ---
-
-using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-
-void set_colour(cairo_t* cairo, Colour c, double alpha = 1) {
-  cairo_set_source_rgba(cairo, c.r, c.g, c.b, alpha);
-}
-
-void paint(cairo_t* cairo, const Raster& raster) {
-  const Surface image(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, raster.width(), raster.height()),
-                      &cairo_surface_destroy);
-  cairo_surface_flush(image.get());
-  unsigned char* to = cairo_image_surface_get_data(image.get());
-  if (to == nullptr) throw std::bad_alloc();
-  const int stride = cairo_image_surface_get_stride(image.get());
-  for (int y = 0; y < raster.height(); ++y) {
-    std::memcpy(to + static_cast<std::ptrdiff_t>(y) * stride,
-                raster.pixels().data() + static_cast<std::size_t>(y) * raster.width(),
-                sizeof(std::uint32_t) * raster.width());
-  }
-  cairo_surface_mark_dirty(image.get());
-  cairo_save(cairo);
-  cairo_scale(cairo, 1.0 / fine, 1.0 / fine);
-  cairo_set_source_surface(cairo, image.get(), 0, 0);
-  cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_GOOD);
-  cairo_paint(cairo);
-  cairo_restore(cairo);
 }
 
 Colour colour_of(LoopKind kind) { return kind == LoopKind::Outer ? outer_colour : hole_colour; }
@@ -375,19 +304,6 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
   return panels;
 }
 
-void write_title(cairo_t* cairo, const Panel& shown) {
-  cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_BOLD);
-  cairo_set_font_size(cairo, 27);
-  set_colour(cairo, ink);
-  cairo_move_to(cairo, inset, 40);
-  cairo_show_text(cairo, shown.title.c_str());
-  cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(cairo, 19);
-  set_colour(cairo, faint);
-  cairo_move_to(cairo, inset, 66);
-  cairo_show_text(cairo, shown.note.c_str());
-}
-
 void draw_all(cairo_t* cairo, const std::vector<Panel>& panels, const Run& run) {
   cairo_set_source_rgb(cairo, 1, 1, 1);
   cairo_paint(cairo);
@@ -395,16 +311,11 @@ void draw_all(cairo_t* cairo, const std::vector<Panel>& panels, const Run& run) 
     run.progress(Stage::Write, i, panels.size());
     cairo_save(cairo);
     cairo_translate(cairo, gap + static_cast<double>(i) * (panel + gap), 0);
-    write_title(cairo, panels[i]);
+    write_title(cairo, panels[i].title, panels[i].note);
     cairo_translate(cairo, 0, head);
     panels[i].draw(cairo);
     cairo_restore(cairo);
   }
-}
-
-cairo_status_t append(void* to, const unsigned char* bytes, unsigned int count) {
-  static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), count);
-  return CAIRO_STATUS_SUCCESS;
 }
 
 }  // namespace
@@ -414,25 +325,8 @@ void write_picture(const std::string& path, const Scene& scene, const Run& run) 
   const Raster screen = solid(stage, run);
   const auto panels = panels_of(stage, screen, run);
   const int width = gap + static_cast<int>(panels.size()) * (panel + gap), height = head + panel + gap;
-  const double scale = static_cast<double>(scene.panel_size) / panel;
-  const bool svg = ending_of(path) == "svg";
-  std::string bytes;
-  const Surface surface(
-      svg ? cairo_svg_surface_create_for_stream(append, &bytes, scale * width, scale * height)
-          : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(scale * width)),
-                                       static_cast<int>(std::lround(scale * height))),
-      &cairo_surface_destroy);
-  const Context cairo(cairo_create(surface.get()), &cairo_destroy);
-  cairo_scale(cairo.get(), scale, scale);
-  draw_all(cairo.get(), panels, run);
-  cairo_status_t status = cairo_status(cairo.get());
-  if (!svg) status = std::max(status, cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
-  cairo_surface_finish(surface.get());
-  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
-  if (status != CAIRO_STATUS_SUCCESS) {
-    throw Error(ErrorCode::CannotWrite, path + ": " + cairo_status_to_string(status));
-  }
-  write_text(path, bytes);
+  write_drawing(path, width, height, static_cast<double>(scene.panel_size) / panel,
+                [&](cairo_t* cairo) { draw_all(cairo, panels, run); });
 }
 
 }  // namespace rimline::cli

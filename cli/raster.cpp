@@ -56,14 +56,14 @@ void Raster::screen(Point centre, double radius) {
   visit_disc(centre, radius, [&](std::size_t pixel, float z) { depth_[pixel] = z; });
 }
 
-void Raster::triangle(Point a, Point b, Point c, Colour colour) {
+template <class ColourAt>
+void Raster::fill(Point a, Point b, Point c, const ColourAt& colour_at) {
   const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   if (area == 0 || !std::isfinite(area)) return;
   const int left = std::max(0, static_cast<int>(std::floor(std::min({a.x, b.x, c.x}))));
   const int right = std::min(width_ - 1, static_cast<int>(std::ceil(std::max({a.x, b.x, c.x}))));
   const int top = std::max(0, static_cast<int>(std::floor(std::min({a.y, b.y, c.y}))));
   const int bottom = std::min(height_ - 1, static_cast<int>(std::ceil(std::max({a.y, b.y, c.y}))));
-  const std::uint32_t value = packed(colour);
   for (int y = top; y <= bottom; ++y) {
     for (int x = left; x <= right; ++x) {
       const double px = x + 0.5, py = y + 0.5;
@@ -74,9 +74,18 @@ void Raster::triangle(Point a, Point b, Point c, Colour colour) {
       const std::size_t pixel = static_cast<std::size_t>(y) * width_ + x;
       if (z < depth_[pixel]) continue;
       depth_[pixel] = z;
-      pixels_[pixel] = value;
+      pixels_[pixel] = colour_at(wb, wc);
     }
   }
+}
+
+void Raster::triangle(Point a, Point b, Point c, Colour colour) {
+  const std::uint32_t value = packed(colour);
+  fill(a, b, c, [value](double, double) { return value; });
+}
+
+void Raster::triangle(Point a, Point b, Point c, const std::function<Colour(double, double)>& colour) {
+  fill(a, b, c, [&](double wb, double wc) { return packed(colour(wb, wc)); });
 }
 
 bool Raster::sees(Point p, double tolerance) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "rimline/points.h"
@@ -26,6 +27,8 @@ class Raster {
   // The same for depth alone: it hides what lies behind and shows nothing itself.
   void screen(Point centre, double radius);
   void triangle(Point a, Point b, Point c, Colour colour);
+  // The same, its colour depending on the place: weights of b and of c, from 0 to 1.
+  void triangle(Point a, Point b, Point c, const std::function<Colour(double, double)>& colour);
   // Whether a point at this place would be seen.
   bool sees(Point p, double tolerance) const;
 
@@ -35,6 +38,8 @@ class Raster {
   const std::vector<std::uint32_t>& pixels() const { return pixels_; }
 
  private:
+  template <class ColourAt>
+  void fill(Point a, Point b, Point c, const ColourAt& colour_at);
   template <class Visit>
   void visit_disc(Point centre, double radius, const Visit& visit);
 

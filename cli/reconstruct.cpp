@@ -9,16 +9,37 @@
 namespace rimline::cli {
 namespace {
 
+// What was asked for on top: which vertices and triangles fill holes, and how much the map distorts them.
+// Returns the properties of the faces.
+std::vector<Column> put_mesh_columns(const MethodArguments& arguments, const ReconstructResult& result,
+                                     Cloud& cloud) {
+  std::vector<Column> of_faces;
+  if (arguments.options().mesh.holes.fill) {
+    std::vector<std::uint8_t> filled(cloud.points.size() - result.added.size(), 0);
+    filled.resize(cloud.points.size(), 1);
+    set_column(cloud, make_column("filled", filled));
+    of_faces.push_back(make_column("filled", result.filled));
+  }
+  if (arguments.distortion) {
+    for (Column& column : distortion_columns(result.distortion.point)) set_column(cloud, std::move(column));
+    for (Column& column : distortion_columns(result.distortion.triangle))
+      of_faces.push_back(std::move(column));
+  }
+  return of_faces;
+}
+
 void run_reconstruct(const MethodArguments& arguments) {
   const auto outputs = outputs_of(arguments, {"--output", arguments.output, {}, true, check_mesh_path});
   check_outputs(outputs);
   Session session(arguments.common);
   Inputs in = read_inputs(arguments, session);
-  const ReconstructResult result = reconstruct(in.cloud.points, arguments.options(), session.run(), in.given);
+  ReconstructResult result = reconstruct(in.cloud.points, arguments.options(), session.run(), in.given);
   session.clock().enter(Stage::Write);
+  add_fill_vertices(in.cloud, result.added, result.boundary);
   put_map_columns(in.cloud, result.uv, result.boundary.boundary);
   if (!result.patch.empty()) set_column(in.cloud, make_column("component", result.patch));
-  write_mesh(arguments.output, in.cloud, result.triangles, session.run());
+  const std::vector<Column> face_columns = put_mesh_columns(arguments, result, in.cloud);
+  write_mesh(arguments.output, in.cloud, result.triangles, session.run(), face_columns);
   finish(arguments, outputs,
          {.points = in.cloud.points,
           .boundary = result.boundary,
@@ -43,6 +64,7 @@ void add_reconstruct(CLI::App& tool) {
              "standard output for -",
              true);
   add_method(command, *arguments);
+  add_mesh_method(command, *arguments);
   command.callback([arguments] { run_reconstruct(*arguments); });
 }
 

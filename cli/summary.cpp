@@ -35,7 +35,7 @@ std::string loop_lines(const std::vector<Loop>& loops) {
   return text;
 }
 
-std::string mesh_lines(const MeshSummary& mesh) {
+std::string mesh_lines(const MeshSummary& mesh, std::size_t self_intersections) {
   std::string text = fmt::format("{} triangles on {} points, Euler number {}, {} boundary {}",
                                  with_commas(mesh.triangles), with_commas(mesh.points_used), mesh.euler,
                                  mesh.boundary_loops, mesh.boundary_loops == 1 ? "loop" : "loops");
@@ -43,7 +43,34 @@ std::string mesh_lines(const MeshSummary& mesh) {
   if (mesh.long_edges > 0) {
     text += fmt::format(", {} edges longer than 3 spacings", with_commas(mesh.long_edges));
   }
+  if (self_intersections > 0) {
+    text += fmt::format(", {} self-intersections", with_commas(self_intersections));
+  }
   return line("mesh", text);
+}
+
+std::string holes_line(const HoleSummary& holes) {
+  std::size_t triangles = 0, added = 0;
+  for (const FilledHole& hole : holes.filled) {
+    triangles += hole.triangles;
+    added += hole.added_points;
+  }
+  std::string text = fmt::format("{} filled by {} triangles", holes.filled.size(), with_commas(triangles));
+  if (added > 0) text += fmt::format(" and {} vertices of their own", with_commas(added));
+  return line("holes", text + fmt::format(", {} kept", holes.kept));
+}
+
+std::string reference_line(const ReferenceSummary& reference) {
+  std::string text =
+      fmt::format("Hausdorff distance {:.4g}, mean {:.4g} from the mesh and {:.4g} to it",
+                  reference.hausdorff, reference.to_reference.mean, reference.from_reference.mean);
+  if (reference.edges_agree) text += fmt::format(", edges agree {:.4f}", *reference.edges_agree);
+  return line("reference", text);
+}
+
+std::string distortion_line(const DistortionSummary& d) {
+  return line("distortion", fmt::format("{:.4f} rad a corner on average, stretch {:.3f} (L2), {:.3g} at most",
+                                        d.angle_mean, d.stretch_l2, d.stretch_linf));
 }
 
 std::string component_lines(const std::vector<ComponentSummary>& components) {
@@ -83,7 +110,12 @@ void print_summary(std::FILE* to, const Report& report, const std::string& files
     text += line("map", fmt::format("{} unknowns, residual {:.1e}", with_commas(report.map.unknowns),
                                     report.map.residual));
   }
-  if (report.has_mesh) text += mesh_lines(report.mesh);
+  if (report.has_mesh) {
+    text += mesh_lines(report.mesh, report.self_intersections);
+    text += distortion_line(report.distortion);
+  }
+  if (report.holes && !report.holes->filled.empty()) text += holes_line(*report.holes);
+  if (report.reference) text += reference_line(*report.reference);
   if (!report.components.empty()) text += component_lines(report.components);
   for (const std::string& warning : report.warnings) text += line("warning", warning);
   if (!files.empty()) text += line("wrote", files);

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "io/lines.h"
 #include "rimline/run.h"
 
 namespace rimline {
@@ -40,6 +43,38 @@ const char* name(Domain domain) {
 int most_neighbours(const Options& options) {
   constexpr int spacing_k = 6;  // of local_spacing()
   return std::max({options.boundary.k, options.loops.path_k, options.map.map_k, spacing_k});
+}
+
+std::string name(const HolePolicy& holes) {
+  if (!holes.fill) return "keep";
+  if (holes.most_points > 0) return fmt::format("fill:{}", holes.most_points);
+  if (holes.most_length > 0) return fmt::format("fill:{}u", holes.most_length);
+  return "fill";
+}
+
+HolePolicy parse_holes(std::string_view text) {
+  const auto refuse = [&]() -> HolePolicy {
+    throw Error(ErrorCode::BadOption,
+                fmt::format("holes is '{}'; it must be keep, fill, fill:POINTS (a whole number of points on "
+                            "the rim, as in fill:30) or fill:LENGTHu (the rim's length in units of the "
+                            "input, as in fill:2.5u)",
+                            text));
+  };
+  constexpr std::string_view most = "fill:";
+  if (text == "keep") return {};
+  if (text == "fill") return {.fill = true};
+  if (!text.starts_with(most)) return refuse();
+  HolePolicy holes{.fill = true};
+  const char* from = text.data() + most.size();
+  const char* end = text.data() + text.size();
+  const bool is_length = end > from && end[-1] == 'u';
+  if (is_length) {
+    const char* after = io::read_number(from, --end, holes.most_length);
+    if (after != end || !std::isfinite(holes.most_length) || !(holes.most_length > 0)) return refuse();
+  } else if (io::read_number(from, end, holes.most_points) != end || holes.most_points < 3) {
+    return refuse();
+  }
+  return holes;
 }
 
 Options preset_options(Preset preset) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rimline/report.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "rimline/version.h"
@@ -9,6 +10,9 @@ namespace rimline {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// JSON has no infinity: a map that leaves a triangle no area has no stretch that a number could say.
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json options_json(const Options& options) {
   Json json;
@@ -20,6 +24,8 @@ Json options_json(const Options& options) {
       json[field.name] = name(field.value);
     }
   });
+  json["holes"] = name(options.mesh.holes);
+  if (options.map.corners[0] != none) json["corners"] = options.map.corners;
   json["up"] = {options.mesh.up.x, options.mesh.up.y, options.mesh.up.z};
   return json;
 }
@@ -79,15 +85,66 @@ Json mesh_json(const MeshSummary& mesh) {
           {"mean_angle_distortion", mesh.mean_angle_distortion}};
 }
 
+Json distortion_json(const DistortionSummary& d) {
+  return {{"angle_mean", finite(d.angle_mean)},       {"angle_most", finite(d.angle_most)},
+          {"area_least", finite(d.area_least)},       {"area_most", finite(d.area_most)},
+          {"area_mean_log", finite(d.area_mean_log)}, {"stretch_l2", finite(d.stretch_l2)},
+          {"stretch_linf", finite(d.stretch_linf)}};
+}
+
+Json holes_json(const Options& options, const HoleSummary& holes) {
+  Json filled = Json::array();
+  for (const FilledHole& hole : holes.filled) {
+    filled.push_back({{"points", hole.points},
+                      {"length", hole.length},
+                      {"triangles", hole.triangles},
+                      {"added_points", hole.added_points}});
+  }
+  std::size_t triangles = 0, added = 0;
+  for (const FilledHole& hole : holes.filled) {
+    triangles += hole.triangles;
+    added += hole.added_points;
+  }
+  return {{"policy", name(options.mesh.holes)},
+          {"found", holes.found},
+          {"kept", holes.kept},
+          {"filled", holes.filled.size()},
+          {"failed", holes.failed},
+          {"fill_triangles", triangles},
+          {"added_points", added},
+          {"fills", filled}};
+}
+
+Json distance_json(const DistanceSummary& d) { return {{"mean", d.mean}, {"rms", d.rms}, {"most", d.most}}; }
+
+Json reference_json(const ReferenceSummary& reference) {
+  Json json = {{"name", reference.name},
+               {"points", reference.points},
+               {"triangles", reference.triangles},
+               {"area", reference.area},
+               {"hausdorff", reference.hausdorff},
+               {"mesh_to_reference", distance_json(reference.to_reference)},
+               {"reference_to_mesh", distance_json(reference.from_reference)}};
+  if (reference.edges_agree) {
+    json["edges_agree"] = *reference.edges_agree;
+  } else {
+    json["edges_agree"] = "not measured: the vertices are not the same";
+  }
+  return json;
+}
+
 Json components_json(const std::vector<ComponentSummary>& components) {
   Json json = Json::array();
   for (const ComponentSummary& c : components) {
-    Json one = {{"points", c.points},
-                {"triangles", c.triangles},
-                {"loops", c.loops},
-                {"bad_edges", c.bad_edges},
-                {"suspect", c.suspect}};
+    Json one = {{"points", c.points},       {"triangles", c.triangles},      {"loops", c.loops},
+                {"bad_edges", c.bad_edges}, {"bad_edge_share", c.bad_share}, {"suspect", c.suspect}};
     if (!c.failure.empty()) one["failure"] = c.failure;
+    if (c.mesh.triangles > 0) {
+      one["mesh"] = mesh_json(c.mesh);
+      one["mesh"]["self_intersections"] = c.self_intersections;
+      one["distortion"] = distortion_json(c.distortion);
+    }
+    if (c.to_reference) one["mesh_to_reference"] = distance_json(*c.to_reference);
     json.push_back(std::move(one));
   }
   return json;
@@ -135,7 +192,13 @@ std::string to_json(const Report& report) {
                    {"iterations", report.map.iterations},
                    {"residual", report.map.residual}};
   }
-  if (report.has_mesh) json["mesh"] = mesh_json(report.mesh);
+  if (report.has_mesh) {
+    json["mesh"] = mesh_json(report.mesh);
+    json["mesh"]["self_intersections"] = report.self_intersections;
+    json["distortion"] = distortion_json(report.distortion);
+  }
+  if (report.holes) json["holes"] = holes_json(report.options, *report.holes);
+  if (report.reference) json["reference"] = reference_json(*report.reference);
   if (!report.components.empty()) json["components"] = components_json(report.components);
   json["warnings"] = report.warnings;
   json["run"] = run_json(report);

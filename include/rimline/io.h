@@ -19,6 +19,16 @@ namespace rimline {
 // Throws CannotRead, naming the file, the line or byte, and what to do.
 Cloud read_cloud(const std::string& path, const Run& run);
 
+// Points with triangles over them.
+struct MeshFile {
+  Cloud cloud;
+  std::vector<Triangle> triangles;
+};
+
+// Reads the points as read_cloud does, and the faces of a PLY, OBJ, OFF or STL file; polygons become fans,
+// faces that name a vertex twice are left out. Throws CannotRead, also where there are no faces.
+MeshFile read_mesh(const std::string& path, const Run& run);
+
 // Writes the points and columns as binary little-endian PLY: coordinates in coordinate_type, input order.
 // Written beside the target and renamed, so that an interrupted or failed write leaves no partial file.
 // Throws CannotWrite.
@@ -28,8 +38,9 @@ void write_cloud(const std::string& path, const Cloud& cloud, const Run& run);
 // vertex_indices`), obj (with `vt` where there are columns u and v, and `vn`), off, stl (binary) or glb
 // (glTF);
 // "-" is PLY. The ending is checked by check_mesh_path before any work. Throws CannotWrite.
+// `face_columns`, one value per triangle, are kept in PLY alone.
 void write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
-                const Run& run);
+                const Run& run, const std::vector<Column>& face_columns = {});
 
 // Throws BadOption where write_mesh does not know the ending; the message lists those it knows.
 void check_mesh_path(const std::string& path);

@@ -3,6 +3,7 @@
 // tool, the report and the docs.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -83,12 +84,32 @@ const char* name(Domain domain);
 // Section 5: from the loop to the plane.
 struct ParameterizeOptions {
   Domain domain = Domain::Disc;  // the paper's presets know the disc alone
-  int map_k = 20;                // neighbours per interior point in eq. (4)  [ours; the paper gives none]
-  double residual = 1e-10;       // of the linear system, relative to its right-hand side
+  // Of square and rectangle: ids of four points of one outer loop, in its order from the corner at (0, 0)
+  // or in any; none: where the loop turns most. [ours]
+  std::array<Index, 4> corners{none, none, none, none};
+  int map_k = 20;           // neighbours per interior point in eq. (4)  [ours; the paper gives none]
+  double residual = 1e-10;  // of the linear system, relative to its right-hand side
 };
+
+// Which holes are closed by triangles; the others are loops of the mesh's boundary. [ours]
+struct HolePolicy {
+  bool fill = false;             // else all are kept
+  std::int64_t most_points = 0;  // on the rim of a hole that is filled; 0: any number
+  double most_length = 0;        // of such a rim, in the unit of the input; 0: any length
+
+  friend bool operator==(const HolePolicy&, const HolePolicy&) = default;
+};
+
+// "keep", "fill", "fill:30" (points of the rim), "fill:2.5u" (length of the rim in the unit of the input).
+std::string name(const HolePolicy& holes);
+
+// The reverse. Throws BadOption with what is allowed.
+HolePolicy parse_holes(std::string_view text);
 
 // Section 5: from the plane to the mesh.
 struct MeshOptions {
+  HolePolicy holes;            // the paper's presets fill every hole through the map
+  bool fill_points = false;    // new vertices where holes are filled, at the spacing of the rim [ours]
   Point up = {0, 0, 1};        // the mesh faces this way on average, where the input has no normals
   int refine_rounds = 4;       // most times the mesh is triangulated anew from its map [ours]
   bool allow_partial = false;  // mesh the other components where one can not be meshed [ours]
@@ -122,9 +143,9 @@ struct Field {
   const char* help;                    // one line: what it is, its unit, its source
 };
 
-// Calls visit(Field<T>) for each field but `up`, T being int, std::int64_t, double, bool or an enumeration
-// with a name() (Field::least and most are equal there; a bool goes from false to true). Names are unique
-// over all structs.
+// Calls visit(Field<T>) for each field but `up`, `holes` and `corners`, T being int, std::int64_t, double,
+// bool or an enumeration with a name() (Field::least and most are equal there; a bool goes from false to
+// true). Names are unique over all structs.
 template <class AnyOptions, class Visit>
 void visit_fields(AnyOptions& o, Visit&& visit) {
   constexpr double tiny = 1e-300;
@@ -161,6 +182,8 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
   field("residual", o.map.residual, 1e-15, 1e-2, "relative residual of the solve of eq. (4)");
   field("refine_rounds", o.mesh.refine_rounds, 1, 100,
         "most times the mesh is triangulated anew from its map [ours]");
+  field("fill_points", o.mesh.fill_points, false, true,
+        "give holes that are filled vertices of their own, at the spacing of their rims [ours]");
   field("allow_partial", o.mesh.allow_partial, false, true,
         "mesh the other components where one can not be meshed [ours]");
 }

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "rimline/exact_loops.h"
+#include "rimline/measure.h"
 #include "rimline/mesh.h"
 #include "rimline/options.h"
 #include "rimline/points.h"
@@ -34,17 +36,29 @@ struct ParameterizeResult {
   std::vector<UV> uv;
 };
 
+// Loops of holes that were filled are no loops of the result, and their points are not on the boundary.
 struct ReconstructResult {
   BoundaryResult boundary;
-  std::vector<UV> uv;  // patches side by side where there are several
+  std::vector<Point> added;  // vertices that fills have of their own; their ids follow those of the input
+  std::vector<UV> uv;        // per point and added one; patches side by side where there are several
   std::vector<Triangle> triangles;
-  std::vector<Index> patch;  // of each point, or `none`; empty in the paper's presets
+  std::vector<Index> patch;          // likewise, or `none`; empty in the paper's presets
+  std::vector<std::uint8_t> filled;  // per triangle, 1 where it closes a hole; empty in the paper's presets
+  Distortion distortion;             // per triangle, and per point and added one
 };
 
-// What may come with the points; both may be empty.
+// A mesh to measure the result against.
+struct Reference {
+  std::string name;  // for the report
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+};
+
+// What may come with the points; all may be empty.
 struct Given {
   std::vector<Point> normals;  // one per point: the mesh faces the way most of them point
   std::vector<Loop> loops;     // a boundary made by hand, used instead of finding one
+  Reference reference;         // for reconstruct
 };
 
 // The loops. Under the preset `default` a closed surface gives none, which is an answer and not an error.

@@ -24,6 +24,17 @@ struct RefineOptions {
   double residual = 1e-10;      // of each linear system, relative to its right-hand side
   double suspect_share = 0.05;  // of bad edges, above which a patch is reported as suspect [ours]
   bool allow_partial = false;   // keep the other patches where one can not be meshed
+  HolePolicy holes;             // which holes are closed by triangles
+  bool fill_points = false;     // and whether these get vertices of their own
+};
+
+// A hole that was closed, or that should have been and could not.
+struct HoleFill {
+  std::vector<Index> rim;  // in the order of its loop
+  std::size_t triangles =
+      0;  // 0 where it touches another hole in a point, or every way to close it would have
+  // made an edge that exists already
+  std::size_t added_points = 0;
 };
 
 // What one round did.
@@ -35,8 +46,10 @@ struct RefineRound {
 
 // A patch: one outer loop, any number of holes, all points inside.
 struct Patch {
-  std::vector<Triangle> triangles;  // boundary edges are the loops' edges, all of them and no others
-  std::vector<UV> uv;               // one per point: where the domain's map puts it
+  std::vector<Triangle> triangles;  // boundary edges are those of the loops not filled, and no others
+  std::vector<UV> uv;               // one per point, then per added one: where the domain's map puts it
+  std::vector<HoleFill> fills;      // their triangles are the last ones, fill after fill
+  std::vector<Point> added;         // vertices of the fills; their ids follow those of the points
   std::vector<RefineRound> rounds;
   Domain domain = Domain::Disc;  // where uv lies: the disc, scaled to the surface's area, where Domain::Free
                                  // would have left flips or an outline that crosses itself
@@ -62,14 +75,18 @@ struct PatchReport {
   double bad_share = 0;  // of the inner edges: longer than 3 spacings or folded beyond 120 degrees
   bool suspect =
       false;  // bad_share above RefineOptions::suspect_share: it folds over itself, or a loop is wrong
+  std::vector<HoleFill> fills;
   std::string failure;  // empty where it was meshed
 };
 
 // Any number of patches, meshed one by one.
 struct Surface {
-  std::vector<Triangle> triangles;  // patch after patch
-  std::vector<UV> uv;               // one per point; NaN for those of no patch. Patches lie side by side
-  std::vector<Index> patch;         // of each point, or `none`; of a point that two patches share, the last
+  std::vector<Triangle> triangles;    // patch after patch
+  std::vector<Index> triangle_patch;  // of each triangle
+  std::vector<char> filled;           // per triangle, 1 where it closes a hole
+  std::vector<Point> added;           // vertices of such triangles; their ids follow those of the points
+  std::vector<UV> uv;  // one per point and added one; NaN for those of no patch. Patches lie side by side
+  std::vector<Index> patch;  // of each of these, or `none`; of a point that two patches share, the last
   std::vector<PatchReport> patches;
   std::vector<Index> left_out;  // points that hang together with no loop, ascending
 };

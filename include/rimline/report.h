@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -84,12 +85,59 @@ struct MeshSummary {
   double mean_angle_distortion = 0;  // mean absolute difference of a corner's angle in 3D and in uv, radians
 };
 
+// How far the map is from keeping angles, areas and lengths. The map is scaled so that its area is the
+// surface's before areas and lengths are compared; means are weighted by the triangles' area in space.
+struct DistortionSummary {
+  double angle_mean = 0, angle_most = 0;    // difference of a corner's angle in space and in uv, radians;
+                                            // mean over a triangle's corners
+  double area_least = 0, area_most = 0;     // a triangle's area in uv over that in space
+  double area_mean_log = 0;                 // mean |ln| of that ratio: 0 where areas are kept
+  double stretch_l2 = 0, stretch_linf = 0;  // Sander, Snyder, Gortler, Hoppe 2001, eqs. for L2(M), Linf(M):
+                                            // 1 at best
+};
+
+// A hole that was closed.
+struct FilledHole {
+  std::size_t points = 0;  // on its rim
+  double length = 0;       // of its rim, in the unit of the input
+  std::size_t triangles = 0, added_points = 0;
+};
+
+// What became of the holes.
+struct HoleSummary {
+  std::size_t found = 0, kept = 0;  // kept ones are loops of the mesh's boundary
+  std::size_t failed =
+      0;  // of those kept: they touch another hole, or could be closed only by an edge that exists
+  std::vector<FilledHole> filled;
+};
+
+// From places on one surface to the nearest point of another, in the unit of the input. The places are the
+// vertices, the middles of edges and the centres of triangles.
+struct DistanceSummary {
+  double mean = 0, rms = 0, most = 0;
+};
+
+// The mesh beside another one.
+struct ReferenceSummary {
+  std::string name;  // as the caller calls it
+  std::size_t points = 0, triangles = 0;
+  double area = 0;
+  DistanceSummary to_reference, from_reference;
+  double hausdorff = 0;               // the larger of the two greatest distances
+  std::optional<double> edges_agree;  // F1 of the two sets of edges; where the vertices are the same
+};
+
 // A component of the surface, as the loops bound it.
 struct ComponentSummary {
   std::size_t points = 0, triangles = 0, loops = 0;
   std::size_t bad_edges = 0;  // inner edges longer than 3 spacings or folded beyond 120 degrees
+  double bad_share = 0;       // of the inner edges
   bool suspect = false;       // so many of these that it folds over itself, or a loop is wrong
   std::string failure;        // why it could not be meshed; empty where it was
+  MeshSummary mesh;           // where it was
+  DistortionSummary distortion;
+  std::size_t self_intersections = 0;           // pairs of which either triangle is its
+  std::optional<DistanceSummary> to_reference;  // where there is one
 };
 
 // What a stage took.
@@ -113,6 +161,11 @@ struct Report {
   MapSummary map;
   bool has_mesh = false;
   MeshSummary mesh;
+  DistortionSummary distortion;
+  std::size_t self_intersections =
+      0;                             // pairs of triangles that meet in more than a vertex or edge they share
+  std::optional<HoleSummary> holes;  // preset `default`
+  std::optional<ReferenceSummary> reference;
   std::vector<ComponentSummary> components;  // preset `default`, of the mesh
   std::vector<std::string> warnings;         // one sentence each, for people
 

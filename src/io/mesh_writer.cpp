@@ -151,11 +151,11 @@ void write_cloud(const std::string& path, const Cloud& cloud, const Run& run) {
 }
 
 void write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
-                const Run& run) {
+                const Run& run, const std::vector<Column>& face_columns) {
   check_mesh_path(path);
   const std::string ending = io::ending_of(path);
   io::SafeFile file(path);
-  if (ending == "ply") io::write_ply(file, cloud, &triangles, run);
+  if (ending == "ply") io::write_ply(file, cloud, &triangles, run, face_columns);
   if (ending == "obj") io::write_obj(file, cloud, triangles, run);
   if (ending == "off") io::write_off(file, cloud, triangles, run);
   if (ending == "stl") io::write_stl(file, cloud, triangles, run);

@@ -9,7 +9,7 @@
 namespace rimline::io {
 namespace {
 
-std::string header(const Cloud& cloud, const Triangles* triangles) {
+std::string header(const Cloud& cloud, const Triangles* triangles, const std::vector<Column>& face_columns) {
   std::string text =
       "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(cloud.points.size());
   for (const char* axis : {"x", "y", "z"}) {
@@ -21,6 +21,8 @@ std::string header(const Cloud& cloud, const Triangles* triangles) {
   if (triangles != nullptr) {
     text.append("\nelement face ").append(std::to_string(triangles->size()));
     text.append("\nproperty list uchar int vertex_indices");
+    for (const Column& column : face_columns)
+      text.append("\nproperty ").append(name(column.type)).append(" ").append(column.name);
   }
   return text + "\nend_header\n";
 }
@@ -87,8 +89,11 @@ class Records {
   std::vector<char> bytes_;
 };
 
-void write_faces(SafeFile& file, const Triangles& triangles, const Run& run) {
-  constexpr std::size_t record = 1 + 3 * sizeof(Index), slice = 8192;
+void write_faces(SafeFile& file, const Triangles& triangles, const Run& run,
+                 const std::vector<Column>& columns) {
+  constexpr std::size_t own = 1 + 3 * sizeof(Index), slice = 8192;
+  std::size_t record = own;
+  for (const Column& column : columns) record += size_in_bytes(column.type);
   std::vector<char> bytes;
   for (std::size_t begin = 0; begin < triangles.size(); begin += slice) {
     if (begin % items_per_look == 0) run.progress(Stage::Write, begin, triangles.size());
@@ -98,6 +103,13 @@ void write_faces(SafeFile& file, const Triangles& triangles, const Run& run) {
     for (std::size_t t = begin; t < end; ++t, to += record) {
       *to = 3;
       for (std::size_t c = 0; c < 3; ++c) place(to + 1 + c * sizeof(Index), triangles[t][c]);
+      char* value = to + own;
+      for (const Column& column : columns) {
+        const std::size_t size = size_in_bytes(column.type);
+        std::memcpy(value, column.bytes.data() + t * size, size);
+        if constexpr (std::endian::native == std::endian::big) std::reverse(value, value + size);
+        value += size;
+      }
     }
     file.write({bytes.data(), bytes.size()});
   }
@@ -105,15 +117,16 @@ void write_faces(SafeFile& file, const Triangles& triangles, const Run& run) {
 
 }  // namespace
 
-void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, const Run& run) {
+void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, const Run& run,
+               const std::vector<Column>& face_columns) {
   constexpr std::size_t slice = 8192;
-  file.write(header(cloud, triangles));
+  file.write(header(cloud, triangles, face_columns));
   Records records(cloud);
   for (std::size_t begin = 0; begin < cloud.points.size(); begin += slice) {
     if (begin % items_per_look == 0) run.progress(Stage::Write, begin, cloud.points.size());
     file.write(records.take(begin, std::min(cloud.points.size(), begin + slice)));
   }
-  if (triangles != nullptr) write_faces(file, *triangles, run);
+  if (triangles != nullptr) write_faces(file, *triangles, run, face_columns);
 }
 
 }  // namespace rimline::io

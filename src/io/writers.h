@@ -16,7 +16,8 @@ namespace rimline::io {
 using Triangles = std::vector<Triangle>;
 
 // Without triangles the PLY has no element `face`.
-void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, const Run& run);
+void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, const Run& run,
+               const std::vector<Column>& face_columns = {});
 void write_obj(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run);
 void write_off(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run);
 void write_stl(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run);

@@ -60,6 +60,8 @@ std::array<std::size_t, 4> given_corners(const std::vector<Index>& loop, std::sp
     if (found == loop.end()) throw Error(ErrorCode::BadOption, "a corner is not on the outer loop", {ids[c]});
     at[c] = static_cast<std::size_t>(found - loop.begin());
   }
+  // Along the loop from the first one on, whatever the order of the others.
+  for (std::size_t& position : at) position += position < at[0] ? loop.size() : 0;
   std::sort(at.begin(), at.end());
   if (std::adjacent_find(at.begin(), at.end()) != at.end()) {
     throw Error(ErrorCode::BadOption, "two corners are the same point");
@@ -103,20 +105,19 @@ void place_outline(Points points, const std::vector<Index>& loop, Domain domain,
   if (domain == Domain::Disc || domain == Domain::Free) return place_on_circle(loop, along, uv);
   const std::array<std::size_t, 4> at =
       corners[0] == none ? find_corners(points, loop) : given_corners(loop, corners);
-  const auto length = [&](int side) {
-    return side < 3 ? along[at[side + 1]] - along[at[side]] : along.back() - along[at[3]] + along[at[0]];
-  };
+  const std::size_t n = loop.size();
+  // Length along the loop, on and on where it comes round again.
+  const auto run_to = [&](std::size_t i) { return along[i % n] + static_cast<double>(i / n) * along[n]; };
+  const auto first_of = [&](int side) { return side < 4 ? at[side] : at[0] + n; };
+  const auto length = [&](int side) { return run_to(first_of(side + 1)) - run_to(first_of(side)); };
   const double height = domain == Domain::Square ? 1 : (length(1) + length(3)) / (length(0) + length(2));
   const std::array<UV, 5> place{UV{0, 0}, {1, 0}, {1, height}, {0, height}, {0, 0}};
   constexpr double bulge = 1e-3;
   for (int side = 0; side < 4; ++side) {
-    const std::size_t first = at[side], last = side < 3 ? at[side + 1] : at[0] + loop.size();
     const UV a = place[side], d{place[side + 1].u - a.u, place[side + 1].v - a.v};
-    for (std::size_t i = first; i < last; ++i) {
-      double run = along[i % loop.size()] - along[first];
-      if (i >= loop.size()) run += along.back();
-      const double t = run / length(side), out = 4 * bulge * t * (1 - t);
-      uv[loop[i % loop.size()]] = {a.u + t * d.u + out * d.v, a.v + t * d.v - out * d.u};
+    for (std::size_t i = first_of(side); i < first_of(side + 1); ++i) {
+      const double t = (run_to(i) - run_to(first_of(side))) / length(side), out = 4 * bulge * t * (1 - t);
+      uv[loop[i % n]] = {a.u + t * d.u + out * d.v, a.v + t * d.v - out * d.u};
     }
   }
 }

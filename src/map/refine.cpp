@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "fill/fill_holes.h"
 #include "map/domain.h"
 #include "map/embed.h"
 #include "map/free_map.h"
@@ -87,6 +88,7 @@ class Refiner {
         known_stars_(stars),
         survey_(std::move(survey)),
         loops_(outline.loops),
+        point_count_(points.size()),
         copies_(outline.original),
         options_(options),
         run_(run),
@@ -124,6 +126,7 @@ class Refiner {
       if (!better || quality.bad <= tolerated || round + 1 == options_.rounds) break;
       embed(points_, mesh_, loops_, rough, 0, uv_, run_);
     }
+    if (options_.holes.fill) close_holes(patch);
     map_to_domain(patch);
     patch.uv.assign(uv_.begin(), uv_.begin() + static_cast<std::ptrdiff_t>(points_.size()));
     patch.triangles = std::move(mesh_.triangles);
@@ -134,6 +137,22 @@ class Refiner {
   static constexpr double rough = 1e-6;  // residual of the maps that only lead to the next mesh
   // A disc drawn over a handle or a one-sided strip has at least one bad edge for each point around it.
   static constexpr std::size_t doubtful = 8;
+
+  // From here on the patch has the fills' vertices, after the points, and the loops that stay.
+  void close_holes(Patch& patch) {
+    HoleFills filled = fill_holes(points_, mesh_, loops_, copies_, spacing_, options_, run_);
+    all_points_.assign(points_.begin(), points_.end());
+    all_points_.insert(all_points_.end(), filled.added.begin(), filled.added.end());
+    points_ = all_points_;
+    loops_ = std::move(filled.loops);
+    uv_.resize(point_count_);  // what follows is mapped anew
+    uv_.resize(points_.size() + loops_.size() - 1);
+    std::vector<Triangle> triangles = std::move(mesh_.triangles);
+    triangles.insert(triangles.end(), filled.triangles.begin(), filled.triangles.end());
+    mesh_ = triangulation_of(std::move(triangles), static_cast<Index>(points_.size()));
+    patch.added = std::move(filled.added);
+    patch.fills = std::move(filled.fills);
+  }
 
   // The last map, on the last mesh.
   void map_to_domain(Patch& patch) {
@@ -254,7 +273,9 @@ class Refiner {
   const Stars* known_stars_;
   Stars own_stars_;  // where none were given and some were needed
   std::vector<Triangle> survey_;
-  const std::vector<Loop>& loops_;
+  std::vector<Loop> loops_;
+  std::size_t point_count_;        // copies included, vertices of fills not
+  std::vector<Point> all_points_;  // what points_ shows once holes are filled
   const std::vector<Index>& copies_;
   const RefineOptions& options_;
   const Run& run_;
@@ -279,10 +300,17 @@ Patch refine_patch(Points points, const Neighbours& neighbours, const Stars* sta
   std::vector<Point> with_copies(points.begin(), points.end());
   for (const Index v : outline.original) with_copies.push_back(points[v]);
   Patch patch = Refiner(with_copies, neighbours, stars, outline, {}, options, run).refine();
+  const auto copies = static_cast<Index>(outline.original.size());
+  const auto without_copies = [&](Index v) {
+    return v < n ? v : v < n + copies ? outline.original[v - n] : v - copies;
+  };
   for (Triangle& t : patch.triangles) {
-    for (Index& v : t) v = v < n ? v : outline.original[v - n];
+    for (Index& v : t) v = without_copies(v);
   }
-  patch.uv.resize(points.size());
+  for (HoleFill& fill : patch.fills) {
+    for (Index& v : fill.rim) v = without_copies(v);
+  }
+  patch.uv.erase(patch.uv.begin() + n, patch.uv.begin() + n + copies);
   return patch;
 }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "map/pack.h"
 #include "map/patches.h"
 #include "map/refine_patch.h"
 #include "rimline/refine.h"
+#include "union_find.h"
 
 namespace rimline {
 namespace {
@@ -59,6 +63,10 @@ PatchReport report_on(const PatchInput& input, const Patch& patch, const RefineO
   report.uv_flips = patch.uv_flips;
   report.evened = patch.evened;
   report.domain = patch.domain;
+  report.fills = patch.fills;
+  for (HoleFill& fill : report.fills) {
+    for (Index& v : fill.rim) v = input.points[v];
+  }
   std::size_t rim = 0, bad = std::numeric_limits<std::size_t>::max();
   for (const Loop& loop : input.outline.loops) rim += loop.points.size();
   for (const RefineRound& round : patch.rounds) bad = std::min(bad, round.bad_edges);
@@ -68,25 +76,99 @@ PatchReport report_on(const PatchInput& input, const Patch& patch, const RefineO
   return report;
 }
 
-// Puts the patches' maps in one row, each in its own box, a tenth of a width apart.
-class Row {
- public:
-  void place(std::vector<UV>& uv) {
-    if (uv.empty()) return;
-    const auto [low, high] = std::minmax_element(uv.begin(), uv.end(), [](UV a, UV b) { return a.u < b.u; });
-    const double least = low->u, width = high->u - low->u;
-    const double shift = first_ ? 0 : at_ - least;
-    if (!first_) {
-      for (UV& p : uv) p.u += shift;
-    }
-    at_ = least + shift + 1.1 * width;
-    first_ = false;
+// Adds the patch last reported to the whole, in its ids.
+void append(const PatchInput& input, const Patch& patch, Surface& surface) {
+  const Index at = static_cast<Index>(surface.patches.size()) - 1;
+  const auto own = static_cast<Index>(input.points.size());
+  const auto first_added = static_cast<Index>(surface.uv.size());
+  const auto whole = [&](Index v) { return v < own ? input.points[v] : first_added + (v - own); };
+  for (const Triangle& t : patch.triangles) {
+    surface.triangles.push_back({whole(t[0]), whole(t[1]), whole(t[2])});
   }
+  for (Index i = 0; i < own; ++i) {
+    surface.uv[input.points[i]] = patch.uv[i];
+    surface.patch[input.points[i]] = at;
+  }
+  surface.added.insert(surface.added.end(), patch.added.begin(), patch.added.end());
+  surface.uv.insert(surface.uv.end(), patch.uv.begin() + own, patch.uv.end());
+  surface.patch.insert(surface.patch.end(), patch.added.size(), at);
+  surface.triangle_patch.resize(surface.triangles.size(), at);
+  std::size_t filled = 0;
+  for (const HoleFill& fill : patch.fills) filled += fill.triangles;
+  surface.filled.resize(surface.triangles.size() - filled, 0);
+  surface.filled.resize(surface.triangles.size(), 1);
+}
 
- private:
-  double at_ = 0;
-  bool first_ = true;  // the first stays where its map has it
-};
+// The options with given corners in ids of the patch; without them where they are of another.
+RefineOptions options_for(const PatchInput& input, const RefineOptions& options) {
+  RefineOptions own = options;
+  std::size_t found = 0;
+  for (Index& corner : own.corners) {
+    const auto at = std::lower_bound(input.points.begin(), input.points.end(), corner);
+    if (at == input.points.end() || *at != corner) continue;
+    corner = static_cast<Index>(at - input.points.begin());
+    ++found;
+  }
+  if (found == 0) own.corners.fill(none);
+  if (found > 0 && found < own.corners.size()) {
+    throw Error(ErrorCode::BadOption, "the corners are not on one outer loop",
+                {options.corners.begin(), options.corners.end()});
+  }
+  return own;
+}
+
+// Corners that lie in no patch would be passed over in silence.
+void check_corners(const std::vector<PatchInput>& patches, const RefineOptions& options) {
+  if (options.corners[0] == none) return;
+  for (const PatchInput& input : patches) {
+    if (options_for(input, options).corners[0] != none) return;
+  }
+  throw Error(ErrorCode::BadOption, "the corners are on no loop",
+              {options.corners.begin(), options.corners.end()});
+}
+
+// Parts of the surface that no loop bounds and that close upon themselves. Scraps at a ragged rim do not: of
+// a patch of V points and B of them on its rim, which has about 3.5 sqrt(V) or more, the triangles number 2 V
+// - B - 2; a closed surface has 2 V. Those of fewer points than `least` tell too little.
+std::vector<std::vector<Index>> closed_parts(const std::vector<Index>& left_out, std::size_t points,
+                                             const std::vector<Triangle>& surface_triangles) {
+  constexpr std::size_t least = 100;
+  constexpr double closed = 1.8;  // triangles a point
+  std::vector<char> loose(points, 0);
+  for (const Index v : left_out) loose[v] = 1;
+  UnionFind parts(points);
+  std::vector<Index> triangles(points, 0);
+  const auto is_loose = [&](const Triangle& t) { return loose[t[0]] && loose[t[1]] && loose[t[2]]; };
+  for (const Triangle& t : surface_triangles) {
+    if (!is_loose(t)) continue;
+    parts.join(t[0], t[1]);
+    parts.join(t[1], t[2]);
+  }
+  for (const Triangle& t : surface_triangles) {
+    if (is_loose(t)) ++triangles[parts.find(t[0])];
+  }
+  std::map<Index, std::vector<Index>> members;  // by part
+  for (const Index v : left_out) members[parts.find(v)].push_back(v);
+  std::vector<std::vector<Index>> found;
+  for (auto& [part, ids] : members) {
+    if (ids.size() >= least && triangles[part] >= closed * static_cast<double>(ids.size()))
+      found.push_back(std::move(ids));
+  }
+  return found;
+}
+
+// A closed component is refused by name, or reported where the others are to be meshed nonetheless.
+void refuse_closed(const std::vector<Triangle>& surface_triangles, std::size_t points, bool allow_partial,
+                   Surface& surface) {
+  for (std::vector<Index>& ids : closed_parts(surface.left_out, points, surface_triangles)) {
+    const std::string message =
+        "a component of " + std::to_string(ids.size()) + " points is closed: it has no boundary to end at";
+    if (!allow_partial) throw Error(ErrorCode::NotADisc, message, std::move(ids));
+    surface.patches.push_back({});
+    surface.patches.back().points = ids.size();
+    surface.patches.back().failure = message;
+  }
+}
 
 }  // namespace
 
@@ -106,34 +188,31 @@ Surface refine_surface(Points points, const Neighbours& neighbours, const std::v
   surface.patch.assign(points.size(), none);
   surface.left_out = std::move(parts.left_out);
   std::vector<std::vector<Triangle>> surveys = share_out(surface_triangles, points.size(), parts.patches);
-  Row row;
+  check_corners(parts.patches, options);
   for (std::size_t p = 0; p < parts.patches.size(); ++p) {
     const PatchInput& input = parts.patches[p];
     const bool whole = input.points.size() == points.size();
     try {
+      const RefineOptions own = options_for(input, options);
       Patch patch = whole ? refine_patch(points, neighbours, stars ? &*stars : nullptr, input.outline,
-                                         std::move(surveys[p]), options, run)
-                          : refine_alone(points, input, std::move(surveys[p]), neighbours.k, options, run);
+                                         std::move(surveys[p]), own, run)
+                          : refine_alone(points, input, std::move(surveys[p]), neighbours.k, own, run);
       surface.patches.push_back(report_on(input, patch, options));
-      row.place(patch.uv);
-      for (const Triangle& t : patch.triangles) {
-        surface.triangles.push_back({input.points[t[0]], input.points[t[1]], input.points[t[2]]});
-      }
-      for (std::size_t i = 0; i < input.points.size(); ++i) {
-        surface.uv[input.points[i]] = patch.uv[i];
-        surface.patch[input.points[i]] = static_cast<Index>(surface.patches.size()) - 1;
-      }
+      append(input, patch, surface);
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Cancelled || error.code() == ErrorCode::OutOfMemory) throw;
       std::vector<Index> ids;
       for (const Index i : error.ids()) ids.push_back(input.points[i]);
-      if (!options.allow_partial) throw Error(error.code(), error.what(), std::move(ids));
+      if (!options.allow_partial || error.code() == ErrorCode::BadOption)
+        throw Error(error.code(), error.what(), std::move(ids));
       surface.patches.push_back({});
       surface.patches.back().points = input.points.size();
       surface.patches.back().loops = input.outline.loops.size();
       surface.patches.back().failure = error.what();
     }
   }
+  refuse_closed(surface_triangles, points.size(), options.allow_partial, surface);
+  pack_patches(surface.patch, surface.patches.size(), surface.uv);
   return surface;
 }
 

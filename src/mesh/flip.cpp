@@ -17,8 +17,10 @@ double cotangent(Point p, Point a, Point b) {
 
 class Flipper {
  public:
-  Flipper(Points points, Triangulation& mesh, std::span<const Index> copies, const Run& run)
-      : points_(points),
+  Flipper(Points points, Triangulation& mesh, std::span<const Index> copies, const Run& run,
+          const std::function<bool(Index, Index)>& may_join)
+      : may_join_(may_join),
+        points_(points),
         mesh_(mesh),
         copies_(copies),
         first_copy_(static_cast<Index>(points.size() - copies.size())),
@@ -90,6 +92,7 @@ class Flipper {
     const Index p = mesh_.triangles[t][c], q = mesh_.triangles[other][d];
     if (original(p) == original(q) || joined(t, c, original(q))) return false;
     if (!copies_.empty() && joined(other, d, original(p))) return false;
+    if (may_join_ && !may_join_(p, q)) return false;
     const Index a = mesh_.triangles[t][next(c)], b = mesh_.triangles[t][previous(c)];
     const Index beyond_a = mesh_.adjacent[t][next(c)];         // across the edge b p
     const Index beyond_b = mesh_.adjacent[t][previous(c)];     // across the edge p a
@@ -113,6 +116,7 @@ class Flipper {
     if (triangle != none) mesh_.adjacent[triangle][mesh_.corner_across(triangle, before)] = after;
   }
 
+  const std::function<bool(Index, Index)>& may_join_;
   Points points_;
   Triangulation& mesh_;
   std::span<const Index> copies_;
@@ -124,8 +128,9 @@ class Flipper {
 
 }  // namespace
 
-std::size_t flip_edges(Points points, Triangulation& mesh, std::span<const Index> copies, const Run& run) {
-  return Flipper(points, mesh, copies, run).flip_all();
+std::size_t flip_edges(Points points, Triangulation& mesh, std::span<const Index> copies, const Run& run,
+                       const std::function<bool(Index, Index)>& may_join) {
+  return Flipper(points, mesh, copies, run, may_join).flip_all();
 }
 
 }  // namespace rimline

@@ -29,7 +29,10 @@ class Inserter {
         }
       });
     }
-    if (best != none) split(best, vertex);
+    if (best != none) {
+      split(mesh_, best, vertex);
+      for (const Index t : {best, mesh_.size() - 2, mesh_.size() - 1}) touch(t);
+    }
     return best != none;
   }
 
@@ -53,21 +56,6 @@ class Inserter {
       visit(at);
       at = mesh_.adjacent[at][previous(mesh_.corner_of(at, vertex))];
     }
-  }
-
-  void split(Index t, Index vertex) {
-    const Triangle v = mesh_.triangles[t];
-    const std::array<Index, 3> beyond = mesh_.adjacent[t];
-    const Index second = mesh_.size(), third = second + 1;
-    mesh_.triangles[t] = {vertex, v[0], v[1]};
-    mesh_.triangles.push_back({vertex, v[1], v[2]});
-    mesh_.triangles.push_back({vertex, v[2], v[0]});
-    mesh_.adjacent[t] = {beyond[2], second, third};
-    mesh_.adjacent.push_back({beyond[0], third, t});
-    mesh_.adjacent.push_back({beyond[1], t, second});
-    if (beyond[0] != none) mesh_.adjacent[beyond[0]][mesh_.corner_across(beyond[0], t)] = second;
-    if (beyond[1] != none) mesh_.adjacent[beyond[1]][mesh_.corner_across(beyond[1], t)] = third;
-    for (const Index x : {t, second, third}) touch(x);
   }
 
   Points points_;

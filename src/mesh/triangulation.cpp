@@ -34,4 +34,18 @@ Triangulation triangulation_of(std::vector<Triangle> triangles, Index vertex_cou
   return mesh;
 }
 
+void split(Triangulation& mesh, Index triangle, Index vertex) {
+  const Triangle v = mesh.triangles[triangle];
+  const std::array<Index, 3> beyond = mesh.adjacent[triangle];
+  const Index second = mesh.size(), third = second + 1;
+  mesh.triangles[triangle] = {vertex, v[0], v[1]};
+  mesh.triangles.push_back({vertex, v[1], v[2]});
+  mesh.triangles.push_back({vertex, v[2], v[0]});
+  mesh.adjacent[triangle] = {beyond[2], second, third};
+  mesh.adjacent.push_back({beyond[0], third, triangle});
+  mesh.adjacent.push_back({beyond[1], triangle, second});
+  if (beyond[0] != none) mesh.adjacent[beyond[0]][mesh.corner_across(beyond[0], triangle)] = second;
+  if (beyond[1] != none) mesh.adjacent[beyond[1]][mesh.corner_across(beyond[1], triangle)] = third;
+}
+
 }  // namespace rimline

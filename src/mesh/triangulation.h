@@ -33,4 +33,7 @@ struct Triangulation {
 // Finds the neighbours. Requires consistent orientation, and at most two triangles at an edge.
 Triangulation triangulation_of(std::vector<Triangle> triangles, Index vertex_count);
 
+// Splits a triangle in three at a vertex of its own. The first takes its place, the others come last.
+void split(Triangulation& mesh, Index triangle, Index vertex);
+
 }  // namespace rimline

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "pipeline/filled_holes.h"
 #include "pipeline/given_loops.h"
 #include "pipeline/orientation.h"
 #include "rimline/parameterize.h"
@@ -31,7 +32,13 @@ void report_patch(Report& report, const PatchReport& patch) {
   report.map.unknowns += patch.map.unknowns;
   report.map.iterations += patch.map.iterations;
   report.map.residual = std::max(report.map.residual, patch.map.residual);
-  ComponentSummary summary{patch.points, patch.triangles, patch.loops, 0, patch.suspect, patch.failure};
+  ComponentSummary summary;
+  summary.points = patch.points;
+  summary.triangles = patch.triangles;
+  summary.loops = patch.loops;
+  summary.bad_share = patch.bad_share;
+  summary.suspect = patch.suspect;
+  summary.failure = patch.failure;
   if (!patch.rounds.empty()) summary.bad_edges = patch.rounds.back().bad_edges;
   const std::size_t at = report.components.size();
   if (patch.suspect) {
@@ -46,6 +53,19 @@ void report_patch(Report& report, const PatchReport& patch) {
   report.components.push_back(std::move(summary));
 }
 
+// The corners of a square in ids of the arrangement.
+std::array<Index, 4> arranged_corners(const Work& work) {
+  std::array<Index, 4> corners = work.options.map.corners;
+  if (corners[0] == none) return corners;
+  for (Index& corner : corners) {
+    const auto& ids = work.arrangement.ids;
+    const auto at = std::find(ids.begin(), ids.end(), corner);
+    if (at == ids.end()) throw Error(ErrorCode::BadOption, "a corner takes no part", {corner});
+    corner = static_cast<Index>(at - ids.begin());
+  }
+  return corners;
+}
+
 }  // namespace
 
 void map_to_the_disc(Work& work) {
@@ -55,6 +75,7 @@ void map_to_the_disc(Work& work) {
                        work.options.map, work.run);
   });
   work.uv = std::move(found.uv);
+  work.vertices = work.arrangement.points;
   work.report.has_map = true;
   work.report.map = found.summary;
 }
@@ -73,6 +94,9 @@ void mesh_patches(Work& work) {
   refine.rounds = work.options.mesh.refine_rounds;
   refine.residual = work.options.map.residual;
   refine.allow_partial = work.options.mesh.allow_partial;
+  refine.holes = work.options.mesh.holes;
+  refine.fill_points = work.options.mesh.fill_points;
+  refine.corners = arranged_corners(work);
   Surface surface = translate_errors(work, [&] {
     Surface found =
         refine_surface(work.arrangement.points, work.neighbours, work.loops, work.surveyed, refine, work.run);
@@ -82,9 +106,14 @@ void mesh_patches(Work& work) {
   work.uv = std::move(surface.uv);
   work.triangles = std::move(surface.triangles);
   work.patch = std::move(surface.patch);
+  work.triangle_patch = std::move(surface.triangle_patch);
+  work.filled = std::move(surface.filled);
+  work.vertices = work.arrangement.points;
+  work.vertices.insert(work.vertices.end(), surface.added.begin(), surface.added.end());
   work.report.has_map = true;
   for (const PatchReport& patch : surface.patches) report_patch(work.report, patch);
   orient_patches(work, surface.patches.size());
+  take_out_filled(work, surface.patches);
 }
 
 }  // namespace rimline::pipeline

@@ -2,65 +2,81 @@
 #include "pipeline/orientation.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "rimline/triangulate.h"
 
 namespace rimline::pipeline {
 namespace {
 
+// One per vertex; those that fills added have none of their own.
 std::vector<Point> arranged_normals(const Work& work) {
   std::vector<Point> normals;
   if (work.given.normals.empty()) return normals;
   for (const Index id : work.arrangement.ids) normals.push_back(work.given.normals[id]);
+  normals.resize(work.vertices.size());
   return normals;
+}
+
+// The height about which a map is mirrored: the axis of the first patch's disc, else the middle of its box.
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+};
+
+std::vector<Range> ranges_of(const Work& work, std::size_t count) {
+  std::vector<Range> ranges(count);
+  for (std::size_t i = 0; i < work.uv.size(); ++i) {
+    const std::size_t patch = work.patch.empty() ? 0 : work.patch[i];
+    if (!work.patch.empty() && work.patch[i] == none) continue;
+    ranges[patch].low = std::min(ranges[patch].low, work.uv[i].v);
+    ranges[patch].high = std::max(ranges[patch].high, work.uv[i].v);
+  }
+  if (work.options.map.domain == Domain::Disc && count > 0) ranges[0] = {0, 0};
+  return ranges;
 }
 
 // Seen from the side it faces, the map of a patch that was turned round is mirrored too: triangles stay
 // counter-clockwise in uv, and loops keep the surface on their left.
-template <class Turned>
-void mirror(Work& work, const Turned& turned) {
-  // About the axis of the disc, or about the middle of a box that stands on the axis.
-  const bool box = work.options.map.domain == Domain::Square || work.options.map.domain == Domain::Rectangle;
-  const Index n = static_cast<Index>(work.uv.size());
-  double low = 0, high = 0;
-  for (Index i = 0; box && i < n; ++i) {
-    if (!turned(i)) continue;
-    low = std::min(low, work.uv[i].v);
-    high = std::max(high, work.uv[i].v);
-  }
-  for (Index i = 0; i < n; ++i) {
-    if (turned(i)) work.uv[i].v = low + high - work.uv[i].v;
+void mirror(Work& work, const std::vector<char>& turned) {
+  const auto is_turned = [&](Index point) {
+    if (work.patch.empty()) return turned[0] != 0;
+    return work.patch[point] != none && turned[work.patch[point]] != 0;
+  };
+  const std::vector<Range> ranges = ranges_of(work, turned.size());
+  for (Index i = 0; i < static_cast<Index>(work.uv.size()); ++i) {
+    if (!is_turned(i)) continue;
+    const Range& range = ranges[work.patch.empty() ? 0 : work.patch[i]];
+    work.uv[i].v = range.low + range.high - work.uv[i].v;
   }
   for (Loop& loop : work.loops) {
-    if (turned(loop.points.front())) std::reverse(loop.points.begin() + 1, loop.points.end());
+    if (is_turned(loop.points.front())) std::reverse(loop.points.begin() + 1, loop.points.end());
   }
-}
-
-// A point in which two patches touch counts to one of them; the triangle's other corners decide.
-Index patch_of(const Work& work, const Triangle& t) {
-  return work.patch[t[1]] == work.patch[t[2]] ? work.patch[t[1]] : work.patch[t[0]];
 }
 
 }  // namespace
 
 void orient_whole(Work& work) {
   const std::vector<Point> normals = arranged_normals(work);
-  if (orient_mesh(work.arrangement.points, work.triangles, normals, work.options.mesh.up)) {
-    mirror(work, [](Index) { return true; });
+  if (orient_mesh(work.vertices, work.triangles, normals, work.options.mesh.up)) {
+    mirror(work, {1});
   }
 }
 
 void orient_patches(Work& work, std::size_t count) {
   const std::vector<Point> normals = arranged_normals(work);
-  std::vector<std::vector<Triangle>> parts(count);
-  for (const Triangle& t : work.triangles) parts[patch_of(work, t)].push_back(t);
   std::vector<char> turned(count, 0);
-  work.triangles.clear();
-  for (std::size_t i = 0; i < count; ++i) {
-    turned[i] = orient_mesh(work.arrangement.points, parts[i], normals, work.options.mesh.up);
-    work.triangles.insert(work.triangles.end(), parts[i].begin(), parts[i].end());
+  auto from = work.triangles.begin();
+  for (std::size_t begin = 0; begin < work.triangles.size();) {  // patch after patch
+    const Index patch = work.triangle_patch[begin];
+    std::size_t end = begin;
+    while (end < work.triangles.size() && work.triangle_patch[end] == patch) ++end;
+    const auto at = [&](std::size_t t) { return from + static_cast<std::ptrdiff_t>(t); };
+    std::vector<Triangle> part(at(begin), at(end));
+    turned[patch] = orient_mesh(work.vertices, part, normals, work.options.mesh.up);
+    std::copy(part.begin(), part.end(), at(begin));
+    begin = end;
   }
-  mirror(work, [&](Index point) { return work.patch[point] != none && turned[work.patch[point]]; });
+  mirror(work, turned);
 }
 
 }  // namespace rimline::pipeline

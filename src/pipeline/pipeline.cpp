@@ -5,6 +5,7 @@
 #include "pipeline/find_loops.h"
 #include "pipeline/input.h"
 #include "pipeline/map_and_mesh.h"
+#include "pipeline/measure.h"
 #include "pipeline/results.h"
 #include "rimline/memory.h"
 
@@ -36,6 +37,7 @@ ParameterizeResult parameterize(Points points, const Options& options, const Run
   work.is_paper() ? map_to_the_disc(work) : mesh_patches(work);
   ParameterizeResult result;
   result.uv = uv_of_input(work);
+  result.uv.resize(points.size());  // vertices that fills added have no place among the points
   result.boundary = boundary_result(work);
   return result;
 }
@@ -51,7 +53,10 @@ ReconstructResult reconstruct(Points points, const Options& options, const Run& 
   measure(work);
   ReconstructResult result;
   result.uv = uv_of_input(work);
+  result.added = added_points(work);
   result.triangles = triangles_of_input(work);
+  result.filled.assign(work.filled.begin(), work.filled.end());
+  result.distortion = distortion_of_input(work);
   result.patch = patch_of_input(work);
   result.boundary = boundary_result(work);
   return result;

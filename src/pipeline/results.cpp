@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/results.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <limits>
 
 #include "parallel.h"
 #include "rimline/loops.h"
-#include "rimline/measure.h"
 
 namespace rimline::pipeline {
 namespace {
@@ -37,6 +35,17 @@ void put_points(const Work& work, BoundaryResult& result) {
   }
 }
 
+// From one value per vertex to one per point of the input, then per added one.
+template <class T>
+std::vector<T> of_input(const Work& work, const std::vector<T>& values, T unknown) {
+  const std::vector<Index>& ids = work.arrangement.ids;
+  std::vector<T> result(work.input.size(), unknown);
+  for (std::size_t i = 0; i < std::min(ids.size(), values.size()); ++i) result[ids[i]] = values[i];
+  if (values.size() > ids.size())
+    result.insert(result.end(), values.begin() + static_cast<std::ptrdiff_t>(ids.size()), values.end());
+  return result;
+}
+
 // A point that two loops share carries the id of the longer one.
 void mark_loops(const std::vector<Loop>& loops, BoundaryResult& result) {
   for (Index l = 0; l < static_cast<Index>(loops.size()); ++l) {
@@ -60,40 +69,37 @@ std::size_t count_undersampled(const Work& work, const BoundaryResult& result) {
 
 }  // namespace
 
-void measure(Work& work) {
-  work.clock.enter(Stage::Measure);
-  Report& report = work.report;
-  report.has_mesh = true;
-  report.mesh = measure_mesh(work.arrangement.points, work.triangles, work.spacing, work.uv, work.run);
-  report.points.unmeshed = work.arrangement.points.size() - report.mesh.points_used;
-  if (report.points.unmeshed > 0) {
-    report.warnings.push_back(
-        work.is_paper() ? fmt::format("{} points fell on others in the plane and are in no triangle",
-                                      report.points.unmeshed)
-                        : fmt::format("{} points hang together with no loop and are in no triangle",
-                                      report.points.unmeshed));
-  }
+std::vector<Point> added_points(const Work& work) {
+  std::vector<Point> added;
+  for (std::size_t i = work.arrangement.points.size(); i < work.vertices.size(); ++i)
+    added.push_back(work.vertices[i] + work.arrangement.origin);
+  return added;
 }
 
-std::vector<UV> uv_of_input(const Work& work) {
-  std::vector<UV> uv(work.input.size(), UV{nan, nan});
-  for (std::size_t i = 0; i < work.uv.size(); ++i) uv[work.arrangement.ids[i]] = work.uv[i];
-  return uv;
-}
+std::vector<UV> uv_of_input(const Work& work) { return of_input(work, work.uv, UV{nan, nan}); }
 
 std::vector<Index> patch_of_input(const Work& work) {
-  if (work.patch.empty()) return {};
-  std::vector<Index> patch(work.input.size(), none);
-  for (std::size_t i = 0; i < work.patch.size(); ++i) patch[work.arrangement.ids[i]] = work.patch[i];
-  return patch;
+  return work.patch.empty() ? std::vector<Index>{} : of_input(work, work.patch, none);
 }
 
 std::vector<Triangle> triangles_of_input(const Work& work) {
   std::vector<Triangle> triangles = work.triangles;
+  const auto used = static_cast<Index>(work.arrangement.ids.size());
+  const auto input = static_cast<Index>(work.input.size());
   for (Triangle& t : triangles) {
-    for (Index& id : t) id = work.arrangement.ids[id];
+    for (Index& v : t) v = v < used ? work.arrangement.ids[v] : input + (v - used);
   }
   return triangles;
+}
+
+Distortion distortion_of_input(Work& work) {
+  Distortion result = std::move(work.distortion);
+  constexpr auto unknown = static_cast<float>(nan);
+  for (auto* values :
+       {&result.point.angle, &result.point.area, &result.point.stretch, &result.point.max_stretch}) {
+    *values = of_input(work, *values, unknown);
+  }
+  return result;
 }
 
 BoundaryResult boundary_result(Work& work) {

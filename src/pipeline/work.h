@@ -8,8 +8,10 @@
 #include "rimline/arrange.h"
 #include "rimline/boundary.h"
 #include "rimline/exact_loops.h"
+#include "rimline/measure.h"
 #include "rimline/neighbours.h"
 #include "rimline/pipeline.h"
+#include "rimline/refine.h"
 #include "rimline/stage_clock.h"
 
 namespace rimline::pipeline {
@@ -34,6 +36,11 @@ struct Work {
   std::vector<UV> uv = {};
   std::vector<Index> patch = {};
   std::vector<Triangle> triangles = {};
+  std::vector<Index> triangle_patch = {};  // preset `default`
+  std::vector<char> filled = {};           // per triangle; preset `default`
+  std::vector<Point> vertices = {};        // the points of the arrangement, then those that fills added
+  std::vector<HoleFill> fills = {};
+  Distortion distortion = {};
 
   bool is_paper() const { return options.preset != Preset::Default; }
 };

@@ -165,4 +165,73 @@ TEST_CASE("no loop at all is an error, one patch that fails is one too unless pa
   CHECK(open_edges(surface.triangles) == edges_of({border(10, 0)}));
 }
 
+TEST_CASE("holes within the bound are filled, the others stay, and the map covers the fills") {
+  const int side = 20;
+  std::vector<Point> points = sheet(side, {0, 0, 0});
+  const std::vector<Loop> loops{border(side, 0), square_hole(side, 3, 3, 1), square_hole(side, 9, 9, 2)};
+  points[10 * side + 10] = {10, 10, 40};  // the middle of the larger hole is no point of the sheet
+  const Run run;
+  const Neighbours neighbours = find_neighbours(points, 20, run);
+  for (const Domain domain : {Domain::Disc, Domain::Square, Domain::Free}) {
+    for (const std::int64_t most : {4, 100}) {
+      for (const bool with_points : {false, true}) {
+        RefineOptions options;
+        options.domain = domain;
+        options.holes = {.fill = true, .most_points = most};
+        options.fill_points = with_points;
+        options.allow_partial = true;
+        const Surface surface = refine_surface(points, neighbours, loops, {}, options, run);
+        REQUIRE(surface.patches.size() == 1);
+        std::vector<Loop> stay{loops[0]};
+        if (most == 4) stay.push_back(loops[2]);
+        CHECK(open_edges(surface.triangles) == edges_of(stay));
+        CHECK(surface.patches[0].fills.size() == (most == 4 ? 1 : 2));
+        CHECK(surface.patches[0].uv_flips == 0);
+        CHECK(surface.uv.size() == points.size() + surface.added.size());
+        CHECK(surface.filled.size() == surface.triangles.size());
+        std::size_t filled = 0;
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+          if (!surface.filled[t]) continue;
+          ++filled;
+          for (const Index v : surface.triangles[t]) {
+            CHECK(std::isfinite(surface.uv[v].u));
+            CHECK(surface.patch[v] == 0);
+          }
+        }
+        CHECK(filled == surface.patches[0].fills[0].triangles +
+                            (most == 4 ? 0 : surface.patches[0].fills[1].triangles));
+      }
+    }
+  }
+}
+
+TEST_CASE("holes that touch each other stay, and are reported as not filled") {
+  const std::vector<Point> points = sheet(14, {0, 0, 0});
+  const Run run;
+  const std::vector<Loop> loops{border(14, 0), square_hole(14, 4, 4, 1), square_hole(14, 5, 5, 1)};
+  RefineOptions options;
+  options.holes = {.fill = true};
+  const Surface surface = refine_surface(points, find_neighbours(points, 20, run), loops, {}, options, run);
+  CHECK(open_edges(surface.triangles) == edges_of(loops));
+  REQUIRE(surface.patches[0].fills.size() == 1);
+  CHECK(surface.patches[0].fills[0].triangles == 0);
+}
+
+TEST_CASE("corners are taken in the order of the loop from the first, and must lie on one outer loop") {
+  const std::vector<Point> points = sheet(10, {0, 0, 0});
+  const Run run;
+  const Neighbours neighbours = find_neighbours(points, 16, run);
+  RefineOptions options;
+  options.domain = Domain::Square;
+  options.corners = {99, 0, 9, 90};
+  const Surface surface = refine_surface(points, neighbours, {border(10, 0)}, {}, options, run);
+  const auto at = [&](Index v) { return std::pair(surface.uv[v].u, surface.uv[v].v); };
+  CHECK(at(99) == std::pair(0.0, 0.0));
+  CHECK(at(90) == std::pair(1.0, 0.0));
+  CHECK(at(0) == std::pair(1.0, 1.0));
+  CHECK(at(9) == std::pair(0.0, 1.0));
+  options.corners = {99, 0, 9, 55};
+  CHECK_THROWS_AS(refine_surface(points, neighbours, {border(10, 0)}, {}, options, run), Error);
+}
+
 }  // namespace rimline

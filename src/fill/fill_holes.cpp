@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fill/fill_holes.h"
+
+#include <algorithm>
+
+#include "fill/fill_rim.h"
+#include "rimline/loops.h"
+
+namespace rimline {
+namespace {
+
+// The edges between points of rims, which no fill may make again.
+class RimEdges {
+ public:
+  RimEdges(std::size_t points, const Triangulation& mesh, const std::vector<Loop>& loops,
+           std::span<const Index> copies)
+      : first_copy_(static_cast<Index>(points - copies.size())), copies_(copies) {
+    std::vector<char> on_rim(points, 0);
+    for (const Loop& loop : loops) {
+      for (const Index v : loop.points) on_rim[v] = on_rim[original(v)] = 1;
+    }
+    for (const Triangle& t : mesh.triangles) {
+      for (int c = 0; c < 3; ++c) {
+        if (on_rim[t[c]] && on_rim[t[next(c)]]) edges_.push_back(key(t[c], t[next(c)]));
+      }
+    }
+    std::sort(edges_.begin(), edges_.end());
+  }
+
+  bool is_copy(Index v) const { return v >= first_copy_; }
+
+  // A copy and its original are one vertex in the end, so that only one of the two may have new edges.
+  bool allows(Index a, Index b) const {
+    return !is_copy(a) && !is_copy(b) && a != b &&
+           !std::binary_search(edges_.begin(), edges_.end(), key(a, b));
+  }
+
+  // What a fill made is in the way of the next.
+  void add(const std::vector<Triangle>& triangles, Index points) {
+    const std::size_t before = edges_.size();
+    for (const Triangle& t : triangles) {
+      for (int c = 0; c < 3; ++c) {
+        if (t[c] < points && t[next(c)] < points) edges_.push_back(key(t[c], t[next(c)]));
+      }
+    }
+    const auto middle = edges_.begin() + static_cast<std::ptrdiff_t>(before);
+    std::sort(middle, edges_.end());
+    std::inplace_merge(edges_.begin(), middle, edges_.end());
+  }
+
+ private:
+  Index original(Index v) const { return v < first_copy_ ? v : copies_[v - first_copy_]; }
+  std::pair<Index, Index> key(Index a, Index b) const { return std::minmax(original(a), original(b)); }
+
+  Index first_copy_;
+  std::span<const Index> copies_;
+  std::vector<std::pair<Index, Index>> edges_;
+};
+
+}  // namespace
+
+bool is_filled(Points points, const Loop& rim, const HolePolicy& policy) {
+  if (!policy.fill || rim.kind == LoopKind::Outer) return false;
+  if (policy.most_points > 0) return static_cast<std::int64_t>(rim.points.size()) <= policy.most_points;
+  return policy.most_length == 0 || loop_length(points, rim.points) <= policy.most_length;
+}
+
+HoleFills fill_holes(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
+                     std::span<const Index> copies, std::span<const double> spacing,
+                     const RefineOptions& options, const Run& run) {
+  HoleFills result;
+  RimEdges edges(points.size(), mesh, loops, copies);
+  for (const Loop& loop : loops) {
+    if (&loop == &loops.front() || !is_filled(points, loop, options.holes)) {
+      result.loops.push_back(loop);
+      continue;
+    }
+    // The surface is on the left of a loop, the fill on its right.
+    const std::vector<Index> rim(loop.points.rbegin(), loop.points.rend());
+    std::vector<Point> corners;
+    std::vector<double> sizes;
+    for (const Index v : rim) {
+      corners.push_back(points[v]);
+      if (options.fill_points) sizes.push_back(spacing[v]);
+    }
+    // Where holes touch, their rims are one, which passes the point twice with surface between.
+    const bool touches = std::any_of(rim.begin(), rim.end(), [&](Index v) { return edges.is_copy(v); });
+    const auto may_join = [&](Index a, Index b) { return edges.allows(rim[a], rim[b]); };
+    // A fill of more vertices than the patch itself has would be an invention.
+    RimFill fill;
+    if (!touches) fill = fill_rim(corners, sizes, points.size(), may_join, run);
+    const auto corner_count = static_cast<Index>(rim.size());
+    const auto first_added = static_cast<Index>(points.size() + result.added.size());
+    for (Triangle& t : fill.triangles) {
+      for (Index& v : t) v = v < corner_count ? rim[v] : first_added + (v - corner_count);
+    }
+    if (fill.triangles.empty()) result.loops.push_back(loop);
+    edges.add(fill.triangles, static_cast<Index>(points.size()));
+    result.triangles.insert(result.triangles.end(), fill.triangles.begin(), fill.triangles.end());
+    result.added.insert(result.added.end(), fill.added.begin(), fill.added.end());
+    result.fills.push_back({loop.points, fill.triangles.size(), fill.added.size()});
+  }
+  return result;
+}
+
+}  // namespace rimline

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Triangles in a tree of boxes.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "rimline/mesh.h"
+#include "rimline/points.h"
+
+namespace rimline {
+
+struct Box {
+  std::array<double, 3> low{}, high{};
+
+  void include(const Box& other);
+  bool meets(const Box& other) const;
+  double squared_distance(Point p) const;
+};
+
+Box box_of(Points points, const Triangle& t);
+
+// A complete binary tree, halved at the median of the longest side of each box down to leaves of at most
+// `leaf_size` triangles. Deterministic.
+class TriangleTree {
+ public:
+  static constexpr Index leaf_size = 4;
+
+  struct Node {
+    Box box;
+    Index begin = 0, end = 0;  // of order()
+    Index left = none;         // its children are left and right; none for a leaf
+    Index right = none;
+    bool is_leaf() const { return left == none; }
+  };
+
+  TriangleTree(Points points, const std::vector<Triangle>& triangles);
+
+  const std::vector<Node>& nodes() const { return nodes_; }   // the root first; empty without triangles
+  const std::vector<Index>& order() const { return order_; }  // positions of triangles, leaf after leaf
+  const Box& box(Index triangle) const { return boxes_[triangle]; }
+
+ private:
+  Index build(Index begin, Index end);
+
+  std::vector<Box> boxes_;
+  std::vector<Index> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace rimline
