@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "mesh/edges.h"
@@ -86,6 +87,31 @@ TEST_CASE("the default finds the boundary of clean scans to the point, and its m
     CHECK(mesh.boundary_edges == result.boundary.loops[0].points.size());
     CHECK(mesh.nonmanifold_edges + mesh.nonmanifold_vertices + mesh.uv_flips == 0);
   }
+}
+
+// F1 of the points on the returned loops against those that the set calls boundary.
+double points_f1(const Cloud& cloud, const std::vector<Loop>& loops) {
+  const Column* truth = cloud.find("boundary");
+  REQUIRE(truth != nullptr);
+  std::set<Index> found;
+  for (const Loop& loop : loops) found.insert(loop.points.begin(), loop.points.end());
+  std::size_t right = 0, all = 0;
+  for (Index i = 0; i < static_cast<Index>(cloud.points.size()); ++i) {
+    const bool boundary = truth->value(i) == 1;
+    all += boundary;
+    right += boundary && found.count(i) == 1;
+  }
+  return 2 * static_cast<double>(right) / static_cast<double>(all + found.size());
+}
+
+TEST_CASE("the ragged rim of a raw range scan is found, and its mesh has no pinch") {
+  const std::string path = path_of("bunny_scan");
+  if (path.empty()) return;
+  const Cloud cloud = read_cloud(path, {});
+  const ReconstructResult result = reconstruct(cloud.points, preset_options(Preset::Default), {});
+  CHECK(points_f1(cloud, result.boundary.loops) >= 0.84);
+  CHECK(result.boundary.report.mesh.nonmanifold_edges + result.boundary.report.mesh.nonmanifold_vertices ==
+        0);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "exact/denoise.h"
@@ -14,6 +15,7 @@
 #include "exact/local_size.h"
 #include "exact/odds.h"
 #include "exact/propose.h"
+#include "exact/raster.h"
 #include "exact/rim.h"
 #include "exact/rim_curve.h"
 #include "exact/rim_search.h"
@@ -50,7 +52,8 @@ void check(Points points, const ExactLoopOptions& options) {
 class Survey {
  public:
   Survey(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
-         const ExactLoopOptions& options, double length_exponent, const Blur& blur, const Run& run)
+         const ExactLoopOptions& options, double length_exponent, const Blur& blur,
+         const std::optional<Raster>& raster, const Run& run)
       : points_(points),
         neighbours_(neighbours),
         scores_(scores),
@@ -60,8 +63,8 @@ class Survey {
         run_(run),
         spacing_(local_spacing(neighbours)),
         frames_(fit_frames(points, neighbours, run)),
-        complex_(propose_surface(points, frames_, find_stars(points, neighbours, spacing_, frames_, run),
-                                 spacing_, largest_proposed, run)),
+        raster_(raster),
+        complex_(propose()),
         sizes_(complex_, neighbours) {}
 
   BoundarySurvey find() {
@@ -87,6 +90,12 @@ class Survey {
     bool returned = false;
   };
 
+  Complex propose() const {
+    if (raster_) return raster_surface(points_, frames_, *raster_);
+    return propose_surface(points_, frames_, find_stars(points_, neighbours_, spacing_, frames_, run_),
+                           spacing_, largest_proposed, run_);
+  }
+
   void search() {
     RimSearchOptions o;
     o.population = options_.rim_population;
@@ -100,6 +109,10 @@ class Survey {
     }
     RimSearchSummary& summary = result_.search;
     summary.history.assign(options_.rim_generations, {});
+    if (raster_) {  // leaves no doubt
+      kept_.assign(complex_.size(), 1);
+      return;
+    }
     for (int round = 0; round < 2; ++round) {
       RimSearchResult found = search_rim(complex_, sizes_, bar_gaps(), o, run_);
       summary.doubtful += found.doubtful;
@@ -200,6 +213,7 @@ class Survey {
   }
 
   double rim_probability(const std::vector<Index>& ids, const Kept& kept) const {
+    if (raster_) return raster_loop_probability(ids.size());
     std::vector<double> empty;
     double thickness = 0;
     for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -286,6 +300,9 @@ class Survey {
              false);
       }
     }
+    for (std::size_t v = 0; raster_ && v < points_.size(); ++v) {
+      if (complex_.star(static_cast<Index>(v)).empty()) result_.probability[v] = raster_alone();
+    }
   }
 
   // Loops that share no point keep it so: where two would meet, the later one stays as it was.
@@ -340,7 +357,9 @@ class Survey {
   }
 
   void rate(Index id, const Candidate& c, double log_odds, bool on_rim) {
-    const double p = point_probability(log_odds, on_rim, scores_.log_score[id], c.loop.probability);
+    const double chi_square = scores_.log_score[id];
+    const double p = raster_ ? raster_point_probability(on_rim, chi_square, c.loop.probability)
+                             : point_probability(log_odds, on_rim, chi_square, c.loop.probability);
     result_.probability[id] = std::max(result_.probability[id], static_cast<float>(p));
   }
 
@@ -373,6 +392,7 @@ class Survey {
   const Run& run_;
   std::vector<double> spacing_;
   std::vector<Frame> frames_;
+  std::optional<Raster> raster_;
   Complex complex_;
   LocalSizes sizes_;
   Kept kept_;
@@ -387,12 +407,16 @@ class Survey {
 BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                                 const ExactLoopOptions& options, double length_exponent, const Run& run) {
   exact::check(points, options);
+  const std::optional<exact::Raster> raster = exact::find_raster(points, neighbours, run);
+  if (raster) {
+    return exact::Survey(points, neighbours, scores, options, length_exponent, {}, raster, run).find();
+  }
   const std::vector<double> spacing = local_spacing(neighbours);
   const double level = exact::noise_level(points, neighbours, spacing, run);
   const double heed = exact::noise_weight(level);
   const exact::Blur blur{heed > 0 ? level : 0, exact::irregularity(neighbours, spacing)};
   const auto survey = [&](Points at, const Neighbours& near) {
-    return exact::Survey(at, near, scores, options, length_exponent, blur, run).find();
+    return exact::Survey(at, near, scores, options, length_exponent, blur, std::nullopt, run).find();
   };
   if (heed == 0) return survey(points, neighbours);
   // Under noise all geometry is that of points moved onto the surface, as far as their neighbours tell it.

@@ -21,6 +21,10 @@ double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeight
 // points, the median over its edges of emptiness_beyond(), and the mean thickness of the frames along it.
 double loop_probability(std::size_t points, double emptiness, double thickness);
 
+// The same on a raster, which has a rim where a sample is missing or the depth jumps: one missing sample, six
+// points, may be a fault of the scanner.
+double raster_loop_probability(std::size_t points);
+
 // That a point is on the boundary: one on a rim (or right behind it), by the log odds of its notch, its
 // chi-square score -log p, and the probability of the rim.
 double point_probability(double notch, bool on_rim, double chi_square_score, double loop_probability);
@@ -28,6 +32,11 @@ double point_probability(double notch, bool on_rim, double chi_square_score, dou
 // That a point is on a boundary that was drawn anew under noise: by how far outside the line that parts the
 // points of the loop from those inside it lies, in spacings; `noise` in spacings as well.
 double blurred_probability(double depth, double noise, double loop_probability);
+// The same on a raster, where the search leaves no notches to look at.
+double raster_point_probability(bool on_rim, double chi_square_score, double loop_probability);
+
+// That a sample of a raster that is in no triangle would be on the boundary if it were in one.
+float raster_alone();
 
 // That a point away from all rims is on the boundary.
 double far_from_rims();
