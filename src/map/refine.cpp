@@ -21,6 +21,7 @@
 #include "mesh/flip.h"
 #include "mesh/insert.h"
 #include "mesh/quality.h"
+#include "parallel.h"
 
 namespace rimline {
 namespace {
@@ -113,7 +114,7 @@ class Refiner {
         break;  // the rough map before has rims that cross
       }
       const std::size_t flips = flip_edges(points_, mesh, copies_, run_);
-      const EdgeQuality quality = edge_quality(points_, mesh, spacing_);
+      const EdgeQuality quality = edge_quality(points_, mesh, spacing_, run_);
       patch.rounds.push_back({flips, quality.bad, quality.length});
       if (round == 0 && !surveyed && quality.bad >= doubtful) check_topology();
       // Of two meshes over the same points the one of shorter edges is better; less is no progress.
@@ -284,6 +285,15 @@ class Refiner {
   Triangulation mesh_;  // the best so far
 };
 
+// All that runs in parallel below keeps to the threads of the run.
+Patch refine_in_arena(Points points, const Neighbours& neighbours, const Stars* stars,
+                      const Separated& outline, std::vector<Triangle> survey, const RefineOptions& options,
+                      const Run& run) {
+  tbb::task_arena arena(thread_count(run));
+  return arena.execute(
+      [&] { return Refiner(points, neighbours, stars, outline, std::move(survey), options, run).refine(); });
+}
+
 }  // namespace
 
 Patch refine_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
@@ -295,11 +305,11 @@ Patch refine_patch(Points points, const Neighbours& neighbours, const std::vecto
 Patch refine_patch(Points points, const Neighbours& neighbours, const Stars* stars, const Separated& outline,
                    std::vector<Triangle> survey, const RefineOptions& options, const Run& run) {
   if (outline.original.empty())
-    return Refiner(points, neighbours, stars, outline, std::move(survey), options, run).refine();
+    return refine_in_arena(points, neighbours, stars, outline, std::move(survey), options, run);
   const Index n = static_cast<Index>(points.size());
   std::vector<Point> with_copies(points.begin(), points.end());
   for (const Index v : outline.original) with_copies.push_back(points[v]);
-  Patch patch = Refiner(with_copies, neighbours, stars, outline, {}, options, run).refine();
+  Patch patch = refine_in_arena(with_copies, neighbours, stars, outline, {}, options, run);
   const auto copies = static_cast<Index>(outline.original.size());
   const auto without_copies = [&](Index v) {
     return v < n ? v : v < n + copies ? outline.original[v - n] : v - copies;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "parallel.h"
+
 namespace rimline {
 namespace {
 
@@ -25,11 +27,16 @@ class Flipper {
         copies_(copies),
         first_copy_(static_cast<Index>(points.size() - copies.size())),
         run_(run),
-        queued_(mesh.triangles.size(), 0) {}
+        queued_(mesh.triangles.size(), 0),
+        settled_(mesh.triangles.size(), 0) {}
 
   std::size_t flip_all() {
+    find_settled();
     queue_.reserve(mesh_.triangles.size());
-    for (Index t = 0; t < mesh_.size(); ++t) push(t);
+    for (Index t = 0; t < mesh_.size(); ++t) {
+      queued_[t] = 1;
+      queue_.push_back(t);
+    }
     std::size_t flips = 0;
     // Flips in space need not end as those in the plane do; far fewer than this are ever needed.
     const std::size_t most = 50 * mesh_.triangles.size();
@@ -37,6 +44,7 @@ class Flipper {
       if (at % 65536 == 0) run_.check_cancel();
       const Index t = queue_[at];
       queued_[t] = 0;
+      if (settled_[t]) continue;
       for (int c = 0; c < 3; ++c) {
         if (wants_flip(t, c) && flip(t, c)) {
           ++flips;
@@ -48,7 +56,18 @@ class Flipper {
   }
 
  private:
+  // Most triangles of a good start want no flip. All are asked at once here; the queue asks those again that
+  // did, and those that a flip has changed or has changed the neighbour of.
+  void find_settled() {
+    constexpr std::size_t few = 4096;  // not worth a second thread
+    if (mesh_.triangles.size() < few) return;
+    parallel_for_each(mesh_.triangles.size(), Stage::Refine, run_, [&](Index t) {
+      settled_[t] = !wants_flip(t, 0) && !wants_flip(t, 1) && !wants_flip(t, 2);
+    });
+  }
+
   void push(Index t) {
+    settled_[t] = 0;
     if (queued_[t]) return;
     queued_[t] = 1;
     queue_.push_back(t);
@@ -123,6 +142,7 @@ class Flipper {
   Index first_copy_;
   const Run& run_;
   std::vector<char> queued_;
+  std::vector<char> settled_;
   std::vector<Index> queue_;
 };
 

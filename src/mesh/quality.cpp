@@ -2,6 +2,9 @@
 #include "mesh/quality.h"
 
 #include <algorithm>
+#include <vector>
+
+#include "parallel.h"
 
 namespace rimline {
 namespace {
@@ -15,11 +18,11 @@ bool folded(Point a, Point b) {
   return d < 0 && d * d > 0.25 * dot(a, a) * dot(b, b);
 }
 
-}  // namespace
-
-EdgeQuality edge_quality(Points points, const Triangulation& mesh, std::span<const double> spacing) {
+// Each edge counts at the later of its triangles.
+EdgeQuality quality_of(Points points, const Triangulation& mesh, std::span<const double> spacing, Index begin,
+                       Index end) {
   EdgeQuality quality;
-  for (Index t = 0; t < mesh.size(); ++t) {
+  for (Index t = begin; t < end; ++t) {
     const Triangle& v = mesh.triangles[t];
     const Point normal = normal_of(points, v);
     for (int c = 0; c < 3; ++c) {
@@ -34,6 +37,24 @@ EdgeQuality edge_quality(Points points, const Triangulation& mesh, std::span<con
     }
   }
   return quality;
+}
+
+}  // namespace
+
+EdgeQuality edge_quality(Points points, const Triangulation& mesh, std::span<const double> spacing,
+                         const Run& run) {
+  constexpr Index slice = 8192;  // of the sums: it does not depend on the number of threads
+  std::vector<EdgeQuality> slices((mesh.triangles.size() + slice - 1) / slice);
+  parallel_tasks(slices.size(), Stage::Refine, run, [&](std::size_t k) {
+    const Index begin = static_cast<Index>(k) * slice;
+    slices[k] = quality_of(points, mesh, spacing, begin, std::min(mesh.size(), begin + slice));
+  });
+  EdgeQuality all;
+  for (const EdgeQuality& part : slices) {
+    all.length += part.length;
+    all.bad += part.bad;
+  }
+  return all;
 }
 
 }  // namespace rimline

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mesh/triangulation.h"
+#include "rimline/run.h"
 
 namespace rimline {
 
@@ -14,6 +15,7 @@ struct EdgeQuality {
       0;  // inner edges longer than 3 spacings of either end, or folded by more than 120 degrees
 };
 
-EdgeQuality edge_quality(Points points, const Triangulation& mesh, std::span<const double> spacing);
+EdgeQuality edge_quality(Points points, const Triangulation& mesh, std::span<const double> spacing,
+                         const Run& run = {});
 
 }  // namespace rimline

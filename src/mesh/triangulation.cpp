@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/triangulation.h"
 
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
 #include <utility>
 
 namespace rimline {
@@ -23,14 +26,16 @@ Triangulation triangulation_of(std::vector<Triangle> triangles, Index vertex_cou
   for (Index t = 0; t < mesh.size(); ++t) {
     for (int c = 0; c < 3; ++c) leaving[at[mesh.triangles[t][c]]++] = {mesh.triangles[t][next(c)], t};
   }
-  for (Index t = 0; t < mesh.size(); ++t) {
-    for (int c = 0; c < 3; ++c) {
-      const Index from = mesh.triangles[t][next(c)], to = mesh.triangles[t][previous(c)];
-      for (Index e = offsets[to]; e < offsets[to + 1]; ++e) {
-        if (leaving[e].to == from) mesh.adjacent[t][c] = leaving[e].triangle;
+  tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.size(), 4096), [&](const auto& range) {
+    for (Index t = range.begin(); t < range.end(); ++t) {
+      for (int c = 0; c < 3; ++c) {
+        const Index from = mesh.triangles[t][next(c)], to = mesh.triangles[t][previous(c)];
+        for (Index e = offsets[to]; e < offsets[to + 1]; ++e) {
+          if (leaving[e].to == from) mesh.adjacent[t][c] = leaving[e].triangle;
+        }
       }
     }
-  }
+  });
   return mesh;
 }
 

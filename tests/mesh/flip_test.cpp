@@ -149,4 +149,27 @@ TEST_CASE("long and folded edges are counted") {
   CHECK(edge_quality(flat, open, std::vector<double>(4, 1.0)).bad == 1);
 }
 
+TEST_CASE("a large mesh, asked in parallel, ends as the flips one by one would end it") {
+  const Field field = bumpy_field(60, 11);  // 6,962 triangles: above what is asked in parallel
+  std::vector<Triangulation> meshes;
+  for (const int threads : {1, 2}) {
+    meshes.push_back(triangulation_of(field.triangles, static_cast<Index>(field.points.size())));
+    flip_edges(field.points, meshes.back(), {}, Run{.threads = threads});
+  }
+  CHECK(meshes[0].triangles == meshes[1].triangles);
+  check_neighbours(meshes[0]);
+  const Triangulation before = meshes[0];
+  CHECK(flip_edges(field.points, meshes[0], {}, Run{}) == 0);
+  for (Index t = 0; t < before.size(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      const Index other = before.adjacent[t][c];
+      if (other == none) continue;
+      const Triangle& v = before.triangles[t];
+      const Point a = field.points[v[next(c)]], b = field.points[v[previous(c)]];
+      const Index apex = before.triangles[other][before.corner_across(other, t)];
+      CHECK(angle(field.points[v[c]], a, b) + angle(field.points[apex], a, b) < std::numbers::pi + 1e-6);
+    }
+  }
+}
+
 }  // namespace rimline
