@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <set>
 
+#include "rimline/io.h"
 #include "rimline/run.h"
 
 namespace rimline::cli {
@@ -22,6 +23,7 @@ void check_ending(const Output& output) {
     if (output.may_be_standard) return;
     throw Error(ErrorCode::BadOption, output.flag + " can not go to standard output; give it a file name");
   }
+  if (output.may_be_standard && ending_of(output.path).empty() && is_stream(output.path)) return;
   if (output.check != nullptr) {
     try {
       return output.check(output.path);
@@ -42,6 +44,10 @@ void check_place(const Output& output) {
   const auto refuse = [&output](const std::string& why) {
     throw Error(ErrorCode::CannotWrite, fmt::format("{} {}: {}", output.flag, output.path, why));
   };
+  if (is_stream(output.path)) {  // no file is made beside it
+    if (access(path.c_str(), W_OK) != 0) refuse("it may not be written to");
+    return;
+  }
   if (!fs::is_directory(folder, ignored)) refuse("there is no folder " + folder.string());
   if (fs::is_directory(path, ignored)) refuse("it is a folder");
   if (access(folder.c_str(), W_OK) != 0) refuse("the folder " + folder.string() + " may not be written to");
@@ -56,6 +62,7 @@ void check_outputs(const std::vector<Output>& outputs) {
     if (output.path.empty()) continue;
     check_ending(output);
     if (output.path != "-") check_place(output);
+    if (output.path != "-" && is_stream(output.path)) continue;  // /dev/null takes any number
     std::error_code ignored;
     const fs::path whole = fs::weakly_canonical(fs::absolute(output.path, ignored), ignored);
     if (!places.insert(output.path == "-" ? "-" : whole.string()).second) {

@@ -120,6 +120,37 @@ TEST_CASE("a set far from the origin, where coordinates have few digits left, ha
   check_against_brute_force(points, 25);
 }
 
+// Neighbours so close together, seen from so large a leaf, that single precision can not tell which is
+// nearer.
+TEST_CASE("neighbours that single precision confuses are told apart") {
+  std::mt19937_64 random(21);
+  std::uniform_real_distribution<double> unit(0, 1), factor(0.5, 1), part(-1e-6, 1e-6);
+  std::vector<Point> points;
+  for (int i = 0; i < 3000; ++i) {
+    const Point p = {unit(random), unit(random), unit(random)};
+    const double near = 1.2e-4 * factor(random);
+    points.insert(points.end(), {p, p + Point{near, 0, 0}, p + Point{0, near * (1 + part(random)), 0}});
+  }
+  for (const int k : {1, 2}) check_against_brute_force(points, k);
+}
+
+// Two leaves: pairs at distance `near` in the one set its radius to 1.1 `near` (see `slack`), so the other is
+// not gathered. A point of the first has its nearest in the other, just beyond that radius, and one in its
+// own leaf beyond by so little more that single precision lets it pass.
+TEST_CASE("a neighbour just beyond the radius of its leaf is not taken for the nearest") {
+  const double near = 1e-3, radius = 1.1 * near, diagonal = 1.8, margin = 0x1p-20 * diagonal / radius;
+  for (int trial = 0; trial < 40; ++trial) {
+    const double y = 0.02 * trial + 0.1;
+    std::vector<Point> points = {
+        {0, y, 0}, {-radius * (1 + 0.6 * margin), y, 0}, {radius * (1 + 0.3 * margin), y, 0}, {1, y, 0}};
+    for (int i = 0; i < 7; ++i) {
+      const double at = i / 6.0;
+      for (const double x : {-1.5, 1.5}) points.insert(points.end(), {{x, at, 0}, {x + near, at, 0}});
+    }
+    check_against_brute_force(points, 1);
+  }
+}
+
 TEST_CASE("several points at one place are neighbours at distance 0") {
   auto points = random_points(400, 13);
   for (std::size_t i = 0; i < 100; ++i) points[i] = points[399];

@@ -48,8 +48,12 @@ void check_mesh_path(const std::string& path);
 // Writes `text` in the same safe way (reports, JSON).
 void write_text(const std::string& path, const std::string& text);
 
-// Removes what is being written at this moment under a temporary name, in any thread. Async-signal-safe: for a
-// signal handler that ends the process and must leave no partial file.
+// Whether a path is written to directly: "-", devices and pipes. Without an ending they get the format that
+// "-" has, PLY or JSON.
+bool is_stream(const std::string& path);
+
+// Removes what is being written at this moment under a temporary name, in any thread. Async-signal-safe: for
+// a signal handler that ends the process and must leave no partial file.
 void remove_unfinished_files() noexcept;
 
 // LOOPS.json, schema 1, for a cloud of that many points. docs/formats.md

@@ -43,7 +43,7 @@ class LoopsReader {
 
  private:
   Json parse() const {
-    if (source_.bytes().empty()) source_.fail("is empty (0 bytes)");
+    if (source_.bytes().empty()) source_.fail("is empty (0 bytes); copy or export it again");
     try {
       return Json::parse(source_.bytes());
     } catch (const Json::parse_error& error) {

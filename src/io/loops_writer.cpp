@@ -163,7 +163,10 @@ struct LoopsFormat {
 constexpr LoopsFormat formats[] = {{"geojson", write_geojson}, {"wkt", write_wkt},       {"csv", write_csv},
                                    {"ply", write_edges},       {"obj", write_obj_lines}, {"dxf", write_dxf}};
 
-std::string loops_ending(const std::string& path) { return path == "-" ? "json" : ending_of(path); }
+std::string loops_ending(const std::string& path) {
+  const bool no_ending = path.find('.', path.rfind('/') + 1) == std::string::npos;
+  return no_ending && is_stream(path) ? "json" : ending_of(path);
+}
 
 }  // namespace
 }  // namespace io

@@ -12,9 +12,8 @@ namespace rimline {
 namespace io {
 
 std::string ending_of(const std::string& path) {
-  if (path == "-") return "ply";
-  const std::size_t dot = path.find_last_of("./");
-  if (dot == std::string::npos || path[dot] == '/') return {};
+    const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string::npos || path[dot] == '/') return is_stream(path) ? "ply" : "";
   std::string ending = path.substr(dot + 1);
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return std::tolower(c); });

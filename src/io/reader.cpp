@@ -115,7 +115,7 @@ const char* name(Format format) {
 }  // namespace
 
 Cloud read_any(const Source& source, const Run& run) {
-  if (source.bytes().empty()) source.fail("is empty (0 bytes)");
+  if (source.bytes().empty()) source.fail("is empty (0 bytes); copy or export it again");
   for (const Magic& magic : refused) {
     if (source.bytes().starts_with(magic.start)) source.fail(magic.message);
   }
@@ -135,7 +135,7 @@ Cloud read_any(const Source& source, const Run& run) {
   };
   Cloud cloud = read();
   if (cloud.format.empty()) cloud.format = name(format);  // PLY and PCD tell their kind themselves
-  if (cloud.points.empty()) source.fail("has no points");
+  if (cloud.points.empty()) source.fail("has no points; export it again, with its vertices");
   source.progress(run, source.end());
   return cloud;
 }

@@ -185,6 +185,12 @@ void SafeFile::commit() {
 
 }  // namespace io
 
+bool is_stream(const std::string& path) {
+  struct stat status {};
+  return path == "-" ||
+         (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode));
+}
+
 void remove_unfinished_files() noexcept {
   for (io::Slot& slot : io::unfinished) {
     if (slot.filled) ::unlink(slot.name.data());

@@ -28,6 +28,16 @@ void report_assumptions(Work& work) {
   work.report.candidates = std::count(scores.candidate.begin(), scores.candidate.end(), 1);
 }
 
+// All neighbours of every point on one line: there is no plane to project them to, and what came out would be
+// made of rounding.
+void check_not_on_lines(const BoundaryScores& scores) {
+  constexpr float least = 1e-12F;  // of the variability: a millionth of the width, still far above rounding
+  const auto& delta = scores.delta;
+  if (std::any_of(delta.begin(), delta.end(), [](float d) { return d > least; })) return;
+  throw Error(ErrorCode::NoClosedLoop,
+              "no closed loop: the points lie on a line, or on several far apart, not on a surface");
+}
+
 // Section 3, Algorithms 3.1 and 3.2.
 void find_loop_of_the_paper(Work& work) {
   GeneticLoop found = translate_errors(work, [&] {
@@ -73,6 +83,7 @@ void find_loops(Work& work) {
   work.clock.enter(Stage::Boundary);
   work.scores = score_boundary(work.arrangement.points, work.neighbours, work.options.boundary, work.run);
   report_assumptions(work);
+  check_not_on_lines(work.scores);
   work.clock.enter(Stage::Loops);
   if (!work.is_paper()) {
     find_all_loops(work);

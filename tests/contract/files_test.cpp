@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -507,6 +508,45 @@ TEST_CASE("pictures are whole PNG and SVG files") {
   CHECK(png.substr(png.size() - 8, 4) == "IEND");
   CHECK(svg.find("<svg") != std::string::npos);
   CHECK(svg.ends_with("</svg>\n"));
+}
+
+TEST_CASE("every key of REPORT.json is in docs/formats.md, and every stage has its seconds and memory") {
+  const Folder folder;
+  const std::string input = sample(folder, "hemisphere-cap", 600);
+  std::string text = read_file(RIMLINE_SOURCE "/docs/formats.md");
+  text = text.substr(text.find("## REPORT.json"));
+  for (const std::string preset : {"default", "paper"}) {
+    require_done(rimline::test::rimline({"reconstruct", input, "-o", folder / "mesh.ply", "--preset", preset,
+                                         "--report", folder / "report.json", "--quiet"}));
+    const json report = json::parse(read_file(folder / "report.json"));
+    const auto documented = [&](const std::string& key) {
+      return text.find("`" + key + "`") != std::string::npos ||
+             text.find("." + key + "`") != std::string::npos ||
+             text.find("`" + key + "[]`") != std::string::npos ||
+             text.find("." + key + "[]`") != std::string::npos;
+    };
+    const std::function<void(const json&)> visit = [&](const json& part) {
+      if (part.is_array() && !part.empty()) visit(part.front());
+      if (!part.is_object()) return;
+      for (const auto& [key, value] : part.items()) {
+        CAPTURE(key);
+        if (!value.is_object()) CHECK(documented(key));
+        if (key != "options") visit(value);
+      }
+    };
+    visit(report);
+    std::set<std::string> stages;
+    for (const json& stage : report.at("run").at("stages")) {
+      stages.insert(stage.at("stage").get<std::string>());
+      CHECK(stage.at("seconds").get<double>() >= 0);
+      CHECK(stage.at("peak_bytes").get<double>() > 1e6);
+    }
+    for (const std::string stage :
+         {"read", "arrange", "neighbours", "boundary", "loops", "measure", "write"}) {
+      CAPTURE(stage);
+      CHECK(stages.contains(stage));
+    }
+  }
 }
 
 TEST_CASE("the progress bar shows stages on a terminal only, and is gone at the end") {

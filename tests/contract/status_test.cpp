@@ -92,6 +92,28 @@ TEST_CASE("status 3: too few points") {
   CHECK(folder.names() == Names{"one.xyz"});
 }
 
+TEST_CASE("status 3: points on a line are no surface, under every preset") {
+  const Folder folder;
+  std::string even, uneven;
+  for (int i = 0; i < 300; ++i) {
+    even += fmt::format("{} {} {}\n", 0.1 * i, 0.2 * i, 7);
+    uneven += fmt::format("{0} {0} {1}\n", 1e-3 * i * i + 5, 1e-10 * (i % 7));
+  }
+  write_file(folder / "even.xyz", even);
+  write_file(folder / "uneven.xyz", uneven);
+  for (const std::string name : {"even.xyz", "uneven.xyz"}) {
+    for (const std::string preset : {"default", "paper", "paper-log"}) {
+      const Finished refused = rimline::test::rimline(
+          {"reconstruct", folder / name, "-o", folder / "mesh.ply", "--preset", preset});
+      CAPTURE(preset);
+      CAPTURE(refused.err);
+      CHECK(refused.status == 3);
+      CHECK(contains(refused.err, "on a line"));
+    }
+  }
+  CHECK(folder.names() == Names{"even.xyz", "uneven.xyz"});
+}
+
 TEST_CASE("status 3: points that no chain of neighbours joins to the loop are counted and named") {
   const Folder folder;
   write_file(folder / "two.xyz", grid(12, 0) + grid(12, 1000));

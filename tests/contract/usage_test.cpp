@@ -148,6 +148,23 @@ TEST_CASE("bad usage ends with status 1, one sentence and nothing on standard ou
   }
 }
 
+TEST_CASE("a device or pipe needs no ending: it gets PLY, or JSON") {
+  const Folder folder;
+  write_file(folder / "grid.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
+  const Finished loops = rimline::test::rimline(
+      {"boundary", folder / "grid.xyz", "-o", "/dev/null", "--loops", "/dev/stdout", "--quiet"});
+  CHECK(loops.status == 0);
+  CHECK(loops.out.starts_with("{\"schema\": 1"));
+  const Finished sample = rimline::test::rimline({"sample", "flat-disc", "-n", "50", "-o", "/dev/stdout"});
+  CHECK(sample.status == 0);
+  CHECK(sample.out.starts_with("ply\n"));
+  for (const char* flag : {"-o", "--loops", "--report"}) {
+    CAPTURE(flag);
+    CHECK(rimline::test::rimline({"boundary", folder / "grid.xyz", flag, "/dev/full"}).status == 4);
+  }
+  CHECK(folder.names() == std::vector<std::string>{"grid.xyz"});
+}
+
 TEST_CASE("a mesh that could not be written is refused before the input is looked at") {
   CHECK(rimline::test::rimline({"reconstruct", "/no/such.ply", "-o", "mesh.docx"}).status == 1);
   CHECK(rimline::test::rimline({"reconstruct", "/no/such.ply", "-o", "/no/such/mesh.ply"}).status == 4);
