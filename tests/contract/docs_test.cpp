@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// docs/method.md leads from the paper to the code and its tests: every file, name and test in it is there.
+#include <doctest/doctest.h>
+
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+
+#include "tool.h"
+
+using namespace rimline::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = RIMLINE_SOURCE;
+
+// The text of all files below a folder.
+std::string text_below(const std::string& folder) {
+  std::string text;
+  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending == ".h" || ending == ".cpp") text += read_file(entry.path().string());
+  }
+  return text;
+}
+
+// What stands between two marks of a kind, as `this`.
+std::vector<std::string> between(const std::string& line, char mark) {
+  std::vector<std::string> parts;
+  std::size_t at = 0;
+  while ((at = line.find(mark, at)) != std::string::npos) {
+    const std::size_t end = line.find(mark, at + 1);
+    if (end == std::string::npos) break;
+    parts.push_back(line.substr(at + 1, end - at - 1));
+    at = end + 1;
+  }
+  return parts;
+}
+
+// Paths such as src/map/refine.cpp.
+std::vector<std::string> paths_in(const std::string& line) {
+  std::vector<std::string> paths;
+  for (const std::string folder : {"src/", "tests/", "include/"}) {
+    for (std::size_t at = 0; (at = line.find(folder, at)) != std::string::npos; ++at) {
+      if (at > 0 && line[at - 1] == '/') continue;
+      std::size_t end = at;
+      while (end < line.size() && (std::isalnum(static_cast<unsigned char>(line[end])) != 0 ||
+                                   line[end] == '/' || line[end] == '_' || line[end] == '.')) {
+        ++end;
+      }
+      while (line[end - 1] == '.') --end;
+      paths.push_back(line.substr(at, end - at));
+    }
+  }
+  return paths;
+}
+
+bool is_name(const std::string& text) {
+  for (const char c : text) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != ':') return false;
+  }
+  return !text.empty();
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("every file, name and test that docs/method.md gives is there") {
+  const std::string code = text_below("src") + text_below("include"), tests = text_below("tests");
+  std::istringstream lines(read_file((root / "docs/method.md").string()));
+  int rows = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("|")) continue;
+    ++rows;
+    CAPTURE(line);
+    for (const std::string& path : paths_in(line)) CHECK(fs::exists(root / path));
+    for (std::string name : between(line, '`')) {
+      if (!is_name(name)) continue;
+      if (contains(name, "::")) name = name.substr(name.rfind(':') + 1);
+      CHECK(contains(code, name));
+    }
+    for (std::string test : between(line, '"')) {
+      if (test.ends_with("...")) test = test.substr(0, test.find_last_not_of(" .") + 1);
+      CHECK(contains(tests, "TEST_CASE(\"" + test));
+    }
+  }
+  CHECK(rows > 40);
+}
+
+TEST_CASE("every definition, assumption, theorem, algorithm and equation of the paper has its row") {
+  const std::string method = read_file((root / "docs/method.md").string());
+  for (const char* item :
+       {"Definition 2.1", "Definition 2.2",    "Assumption 2.3", "Assumption 2.4", "Assumption 2.5",
+        "Assumption 2.6", "Theorems 2.7, 2.8", "Algorithm 3.1",  "Algorithm 3.2",  "eq. (1)",
+        "eq. (2)",        "eq. (3)",           "eq. (4)",        "section 2.2",    "section 2.3",
+        "section 2.5",    "section 3.1",       "section 3.2",    "section 4",      "section 5",
+        "section 6"}) {
+    CAPTURE(item);
+    CHECK(contains(method, "| " + std::string(item) + " |"));
+  }
+}
