@@ -16,7 +16,7 @@ constexpr double boundary_bytes = 100;
 constexpr double loops_bytes = 440;        // stars, triangles, the search
 constexpr double paper_loops_bytes = 150;  // closed paths and chromosomes are small beside them
 constexpr double refine_bytes = 780;       // mesh, system, multigrid
-constexpr double measure_bytes = 320;
+constexpr double measure_bytes = 500;
 constexpr double solve_bytes = 500, solve_neighbour_bytes = 95;  // of eq. (4) and what BiCGSTAB needs
 constexpr double triangulate_bytes = 250;
 constexpr double factor_bytes = 170;  // of the factor of a free map, times log2 of the points

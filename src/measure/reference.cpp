@@ -40,7 +40,7 @@ struct SurfaceDistance::Tree {
 };
 
 SurfaceDistance::SurfaceDistance(Points points, const std::vector<Triangle>& triangles)
-    : tree_(new Tree{points, triangles, TriangleTree(points, triangles)}) {
+    : tree_(new Tree{points, triangles, TriangleTree(points, triangles, Run{.threads = 1})}) {
   if (triangles.empty()) throw Error(ErrorCode::BadOption, "the reference has no triangles");
 }
 

@@ -55,28 +55,32 @@ bool plainly_apart(Points points, const Triangle& s, const Triangle& t) {
   return true;
 }
 
-// Pairs of a leaf's triangles with those after it in the tree's order.
-void search_leaf(Points points, const std::vector<Triangle>& triangles, const TriangleTree& tree, Index leaf,
-                 std::vector<Pair>& found) {
+// Pairs of the triangles of `group`, a node, with those after them in the tree's order. Goes down on both
+// sides at once, into the larger one first.
+void search_group(Points points, const std::vector<Triangle>& triangles, const TriangleTree& tree,
+                  Index group, std::vector<Pair>& found) {
   const auto& nodes = tree.nodes();
-  const auto& own = nodes[leaf];
   const auto compare = [&](Index i, Index j) {
     const Index s = tree.order()[i], t = tree.order()[j];
     if (!tree.box(s).meets(tree.box(t)) || plainly_apart(points, triangles[s], triangles[t])) return;
     if (triangles_meet(points, triangles[s], triangles[t])) found.push_back({std::min(s, t), std::max(s, t)});
   };
-  std::vector<Index> open = {0};
+  std::vector<Pair> open = {{group, 0}};
   while (!open.empty()) {
-    const TriangleTree::Node& node = nodes[open.back()];
+    const auto [a, b] = open.back();
     open.pop_back();
-    if (node.end <= own.begin || !node.box.meets(own.box)) continue;
-    if (!node.is_leaf()) {
-      open.push_back(node.left);
-      open.push_back(node.right);
-      continue;
-    }
-    for (Index i = own.begin; i < own.end; ++i) {
-      for (Index j = std::max(node.begin, i + 1); j < node.end; ++j) compare(i, j);
+    const TriangleTree::Node &own = nodes[a], &other = nodes[b];
+    if (other.end <= own.begin || !own.box.meets(other.box)) continue;
+    if (own.is_leaf() && other.is_leaf()) {
+      for (Index i = own.begin; i < own.end; ++i) {
+        for (Index j = std::max(other.begin, i + 1); j < other.end; ++j) compare(i, j);
+      }
+    } else if (own.is_leaf() || (!other.is_leaf() && other.end - other.begin >= own.end - own.begin)) {
+      open.push_back({a, other.left});
+      open.push_back({a, other.right});
+    } else {
+      open.push_back({own.left, b});
+      open.push_back({own.right, b});
     }
   }
 }
@@ -85,22 +89,27 @@ void search_leaf(Points points, const std::vector<Triangle>& triangles, const Tr
 
 std::vector<Pair> find_self_intersections(Points points, const std::vector<Triangle>& triangles,
                                           const Run& run) {
-  const TriangleTree tree(points, triangles);
-  std::vector<Index> leaves;
-  for (Index n = 0; n < static_cast<Index>(tree.nodes().size()); ++n) {
-    if (tree.nodes()[n].is_leaf()) leaves.push_back(n);
-  }
-  // Slices of leaves, so that each has a list of its own and most are never filled.
-  constexpr std::size_t slice = 256;
-  std::vector<std::vector<Pair>> found((leaves.size() + slice - 1) / slice);
-  const auto search = [&](std::size_t first, std::size_t last) {
-    for (std::size_t part = first; part < last; ++part) {
-      const std::size_t end = std::min(leaves.size(), (part + 1) * slice);
-      for (std::size_t i = part * slice; i < end; ++i)
-        search_leaf(points, triangles, tree, leaves[i], found[part]);
+  const TriangleTree tree(points, triangles, run);
+  // The nodes that hold as many triangles as one search starts from.
+  constexpr Index group_size = 256;
+  std::vector<Index> groups;
+  std::vector<Index> open;
+  if (!tree.nodes().empty()) open.push_back(0);
+  while (!open.empty()) {
+    const Index n = open.back();
+    open.pop_back();
+    const TriangleTree::Node& node = tree.nodes()[n];
+    if (node.is_leaf() || node.end - node.begin <= group_size) {
+      groups.push_back(n);
+    } else {
+      open.insert(open.end(), {node.left, node.right});
     }
+  }
+  std::vector<std::vector<Pair>> found(groups.size());
+  const auto search = [&](std::size_t first, std::size_t last) {
+    for (std::size_t g = first; g < last; ++g) search_group(points, triangles, tree, groups[g], found[g]);
   };
-  parallel_slices(found.size(), Stage::Measure, run, search, 1);
+  parallel_slices(found.size(), Stage::Measure, run, search, 4);
   std::vector<Pair> pairs;
   for (const auto& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
   std::sort(pairs.begin(), pairs.end());

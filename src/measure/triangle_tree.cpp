@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/triangle_tree.h"
 
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <numeric>
+
+#include "parallel.h"
 
 namespace rimline {
 
@@ -34,22 +38,38 @@ Box box_of(Points points, const Triangle& t) {
           {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
 }
 
-TriangleTree::TriangleTree(Points points, const std::vector<Triangle>& triangles) {
-  boxes_.reserve(triangles.size());
-  for (const Triangle& t : triangles) boxes_.push_back(box_of(points, t));
+TriangleTree::TriangleTree(Points points, const std::vector<Triangle>& triangles, const Run& run) {
+  if (triangles.empty()) return;
+  const auto count = static_cast<Index>(triangles.size());
+  boxes_.resize(triangles.size());
   order_.resize(triangles.size());
   std::iota(order_.begin(), order_.end(), 0);
-  nodes_.reserve(triangles.size());
-  if (!triangles.empty()) build(0, static_cast<Index>(triangles.size()));
+  nodes_.resize(count_nodes(count));
+  tbb::task_arena arena(thread_count(run));
+  arena.execute([&] {
+    tbb::parallel_for(Index{0}, count, [&](Index t) { boxes_[t] = box_of(points, triangles[t]); });
+    build(0, 0, count);
+  });
 }
 
-// As deep as the logarithm of the count: halved evenly.
-Index TriangleTree::build(Index begin, Index end) {
-  const auto id = static_cast<Index>(nodes_.size());
-  Node node{boxes_[order_[begin]], begin, end};
+// The halves of all trees of one depth have one of two sizes, so there are few to remember.
+Index TriangleTree::count_nodes(Index triangles) {
+  if (triangles <= leaf_size) return node_count_[triangles] = 1;
+  const auto known = node_count_.find(triangles);
+  if (known != node_count_.end()) return known->second;
+  const Index half = triangles / 2;
+  const Index count = 1 + count_nodes(half) + count_nodes(triangles - half);
+  return node_count_[triangles] = count;
+}
+
+// As deep as the logarithm of the count: halved evenly. Nodes follow their parent, the left ones first; as
+// their number is known, both halves may be built at once.
+void TriangleTree::build(Index id, Index begin, Index end) {
+  constexpr Index alone = 4096;  // triangles that are not worth a second thread
+  Node& node = nodes_[id];
+  node = {boxes_[order_[begin]], begin, end};
   for (Index i = begin + 1; i < end; ++i) node.box.include(boxes_[order_[i]]);
-  nodes_.push_back(node);
-  if (end - begin <= leaf_size) return id;
+  if (end - begin <= leaf_size) return;
   int side = 0;
   for (int i = 1; i < 3; ++i) {
     if (node.box.high[i] - node.box.low[i] > node.box.high[side] - node.box.low[side]) side = i;
@@ -61,10 +81,16 @@ Index TriangleTree::build(Index begin, Index end) {
                      const double a = place(s), b = place(t);
                      return a < b || (a == b && s < t);
                    });
-  const Index left = build(begin, middle), right = build(middle, end);
-  nodes_[id].left = left;
-  nodes_[id].right = right;
-  return id;
+  node.left = id + 1;
+  node.right = node.left + node_count_.at(middle - begin);
+  const auto build_left = [&] { build(node.left, begin, middle); };
+  const auto build_right = [&] { build(node.right, middle, end); };
+  if (end - begin > alone) {
+    tbb::parallel_invoke(build_left, build_right);
+  } else {
+    build_left();
+    build_right();
+  }
 }
 
 }  // namespace rimline

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <vector>
 
 #include "rimline/mesh.h"
 #include "rimline/points.h"
+#include "rimline/run.h"
 
 namespace rimline {
 
@@ -24,7 +26,7 @@ Box box_of(Points points, const Triangle& t);
 // `leaf_size` triangles. Deterministic.
 class TriangleTree {
  public:
-  static constexpr Index leaf_size = 4;
+  static constexpr Index leaf_size = 8;
 
   struct Node {
     Box box;
@@ -34,15 +36,17 @@ class TriangleTree {
     bool is_leaf() const { return left == none; }
   };
 
-  TriangleTree(Points points, const std::vector<Triangle>& triangles);
+  TriangleTree(Points points, const std::vector<Triangle>& triangles, const Run& run);
 
   const std::vector<Node>& nodes() const { return nodes_; }   // the root first; empty without triangles
   const std::vector<Index>& order() const { return order_; }  // positions of triangles, leaf after leaf
   const Box& box(Index triangle) const { return boxes_[triangle]; }
 
  private:
-  Index build(Index begin, Index end);
+  Index count_nodes(Index triangles);
+  void build(Index id, Index begin, Index end);
 
+  std::map<Index, Index> node_count_;  // nodes of a tree, by its triangles
   std::vector<Box> boxes_;
   std::vector<Index> order_;
   std::vector<Node> nodes_;
