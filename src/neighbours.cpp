@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "first_touch.h"
 #include "neighbours/kd_tree.h"
 #include "neighbours/leaf_search.h"
 #include "parallel.h"
@@ -24,8 +25,8 @@ Neighbours find_neighbours(Points points, int k, const Run& run) {
   run.progress(Stage::Neighbours, 0, points.size());
   Neighbours result;
   result.k = static_cast<int>(std::min<std::size_t>(k, points.size() - 1));
-  result.ids.resize(points.size() * result.k);
-  result.distance.resize(points.size() * result.k);
+  resize_together(result.ids, points.size() * result.k, run);
+  resize_together(result.distance, points.size() * result.k, run);
   const KdTree tree(points, points_in_leaf, run);
   parallel_slices(
       tree.leaf_count(), Stage::Neighbours, run,
@@ -37,14 +38,14 @@ Neighbours find_neighbours(Points points, int k, const Run& run) {
   return result;
 }
 
-std::vector<double> local_spacing(const Neighbours& neighbours) {
+std::vector<double> local_spacing(const Neighbours& neighbours, const Run& run) {
   const int nearest = std::min(6, neighbours.k);
   std::vector<double> spacing(neighbours.size());
-  for (Index i = 0; i < neighbours.size(); ++i) {
+  parallel_for_each(spacing.size(), Stage::Neighbours, run, [&](Index i) {
     double sum = 0;
     for (int j = 0; j < nearest; ++j) sum += neighbours.distances_of(i)[j];
     spacing[i] = sum / nearest;
-  }
+  });
   return spacing;
 }
 

@@ -34,6 +34,6 @@ struct Neighbours {
 Neighbours find_neighbours(Points points, int k, const Run& run);
 
 // The spacing of every point: the mean distance to its six nearest neighbours (fewer in a smaller set).
-std::vector<double> local_spacing(const Neighbours& neighbours);
+std::vector<double> local_spacing(const Neighbours& neighbours, const Run& run = {});
 
 }  // namespace rimline

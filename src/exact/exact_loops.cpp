@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "exact/denoise.h"
 #include "exact/evidence.h"
@@ -21,6 +23,7 @@
 #include "exact/rim_search.h"
 #include "exact/sheet.h"
 #include "exact/star.h"
+#include "parallel.h"
 #include "rimline/loops.h"
 
 namespace rimline {
@@ -53,7 +56,7 @@ class Survey {
  public:
   Survey(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
          const ExactLoopOptions& options, double length_exponent, const Blur& blur,
-         const std::optional<Raster>& raster, const Run& run)
+         const std::optional<Raster>& raster, std::vector<double> spacing, const Run& run)
       : points_(points),
         neighbours_(neighbours),
         scores_(scores),
@@ -61,7 +64,7 @@ class Survey {
         length_exponent_(length_exponent),
         blur_(blur),
         run_(run),
-        spacing_(local_spacing(neighbours)),
+        spacing_(std::move(spacing)),
         frames_(fit_frames(points, neighbours, run)),
         raster_(raster),
         complex_(propose()),
@@ -78,6 +81,7 @@ class Survey {
     if (blur_.noise > 0 || blur_.irregular > 0) redraw_loops();
     rate_loops();
     label_points();
+    result_.triangles.reserve(complex_.size());
     for (Index t = 0; t < complex_.size(); ++t) {
       if (kept_[t]) result_.triangles.push_back(complex_.triangle(t));
     }
@@ -157,28 +161,47 @@ class Survey {
     return barred;
   }
 
+  // Adds to a sum that others add to, too: whole numbers give the same sum in any order.
+  template <class Number>
+  static void add(Number& sum, Number count) {
+    if (count != 0) std::atomic_ref(sum).fetch_add(count, std::memory_order_relaxed);
+  }
+
   void measure_sheets() {
     result_.components.resize(sheets_.count());
     std::vector<std::size_t> edges_twice(sheets_.count(), 0);
-    for (Index t = 0; t < complex_.size(); ++t) {
-      if (!kept_[t]) continue;
-      const Index c = sheets_.of_triangle[t];
-      ++result_.components[c].triangles;
-      for (int k = 0; k < 3; ++k) {
-        const Index other = complex_.across(t, k);
-        edges_twice[c] += other != none && kept_[other] ? 1 : 2;
-      }
-    }
-    std::vector<Index> here;  // components that a vertex is on
-    for (Index v = 0; v < complex_.vertices(); ++v) {
-      here.clear();
-      for (const Index t : complex_.star(v)) {
+    parallel_slices(complex_.size(), Stage::Loops, run_, [&](std::size_t begin, std::size_t end) {
+      std::size_t triangles = 0, edges = 0;
+      for (auto t = static_cast<Index>(begin); t < static_cast<Index>(end); ++t) {
+        if (!kept_[t]) continue;
         const Index c = sheets_.of_triangle[t];
-        if (c == none || std::find(here.begin(), here.end(), c) != here.end()) continue;
-        here.push_back(c);
-        ++result_.components[c].points;
+        ++triangles;
+        for (int k = 0; k < 3; ++k) {
+          const Index other = complex_.across(t, k);
+          edges += other != none && kept_[other] ? 1 : 2;
+        }
+        if (static_cast<std::size_t>(t) + 1 < end && sheets_.of_triangle[t + 1] == c) continue;
+        add(result_.components[c].triangles, std::exchange(triangles, 0));
+        add(edges_twice[c], std::exchange(edges, 0));
       }
-    }
+    });
+    parallel_slices(points_.size(), Stage::Loops, run_, [&](std::size_t begin, std::size_t end) {
+      std::vector<Index> here;  // components that a vertex is on
+      Index last = none;
+      std::size_t points = 0;  // on the last of them
+      for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
+        here.clear();
+        for (const Index t : complex_.star(v)) {
+          const Index c = sheets_.of_triangle[t];
+          if (c == none || std::find(here.begin(), here.end(), c) != here.end()) continue;
+          here.push_back(c);
+          if (c != last && last != none) add(result_.components[last].points, std::exchange(points, 0));
+          last = c;
+          ++points;
+        }
+      }
+      if (last != none) add(result_.components[last].points, points);
+    });
     for (Index c = 0; c < sheets_.count(); ++c) {
       SurfaceComponent& s = result_.components[c];
       s.orientable = sheets_.orientable[c];
@@ -366,11 +389,14 @@ class Survey {
   void label_points() {
     constexpr double folded = 0.15;  // frame thickness of a neighbourhood that is no patch
     auto& label = result_.label;
-    label.assign(points_.size(), PointLabel::Stray);
-    for (Index t = 0; t < complex_.size(); ++t) {
-      if (!kept_[t] || result_.components[sheets_.of_triangle[t]].triangles < least_sheet) continue;
-      for (const Index v : complex_.triangle(t)) label[v] = PointLabel::Interior;
-    }
+    label.resize(points_.size());
+    parallel_for_each(points_.size(), Stage::Loops, run_, [&](Index v) {
+      const auto star = complex_.star(v);
+      const bool on_surface = std::any_of(star.begin(), star.end(), [&](Index t) {
+        return kept_[t] && result_.components[sheets_.of_triangle[t]].triangles >= least_sheet;
+      });
+      label[v] = on_surface ? PointLabel::Interior : PointLabel::Stray;
+    });
     for (const Candidate& c : candidates_) {
       if (c.returned) continue;
       for (const Index v : c.loop.points) {
@@ -407,25 +433,30 @@ class Survey {
 BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                                 const ExactLoopOptions& options, double length_exponent, const Run& run) {
   exact::check(points, options);
+  std::vector<double> spacing = local_spacing(neighbours, run);
   const std::optional<exact::Raster> raster = exact::find_raster(points, neighbours, run);
   if (raster) {
-    return exact::Survey(points, neighbours, scores, options, length_exponent, {}, raster, run).find();
+    return exact::Survey(points, neighbours, scores, options, length_exponent, {}, raster, std::move(spacing),
+                         run)
+        .find();
   }
-  const std::vector<double> spacing = local_spacing(neighbours);
   const double level = exact::noise_level(points, neighbours, spacing, run);
   const double heed = exact::noise_weight(level);
   const exact::Blur blur{heed > 0 ? level : 0, exact::irregularity(neighbours, spacing)};
-  const auto survey = [&](Points at, const Neighbours& near) {
-    return exact::Survey(at, near, scores, options, length_exponent, blur, std::nullopt, run).find();
+  const auto survey = [&](Points at, const Neighbours& near, std::vector<double> spacing_there) {
+    return exact::Survey(at, near, scores, options, length_exponent, blur, std::nullopt,
+                         std::move(spacing_there), run)
+        .find();
   };
-  if (heed == 0) return survey(points, neighbours);
+  if (heed == 0) return survey(points, neighbours, std::move(spacing));
   // Under noise all geometry is that of points moved onto the surface, as far as their neighbours tell it.
   const std::vector<Point> smooth = exact::take_off_noise(points, neighbours, heed, run);
   const Neighbours near = find_neighbours(smooth, neighbours.k, run);
   for (Index i = 0; i < near.size(); ++i) {
-    if (near.distances_of(i)[0] == 0) return survey(points, neighbours);  // two were moved to one place
+    if (near.distances_of(i)[0] == 0)
+      return survey(points, neighbours, std::move(spacing));  // two were moved to one place
   }
-  BoundarySurvey found = survey(smooth, near);
+  BoundarySurvey found = survey(smooth, near, local_spacing(near, run));
   for (Loop& loop : found.loops) loop.length = loop_length(points, loop.points);
   return found;
 }

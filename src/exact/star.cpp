@@ -13,12 +13,6 @@
 namespace rimline::exact {
 namespace {
 
-// A corner of the cell, relative to its point, and the neighbour whose bisector is the side that leaves it.
-struct Corner {
-  double x, y;
-  Index side;
-};
-
 // Points on one circle (grids) have many Delaunay triangulations, and the stars must agree on one. So each
 // point gets a weight far below the spacing squared, from its coordinates alone, and the cells are those of
 // the power diagram of these weights: ties are settled the same way in every star.
@@ -28,53 +22,74 @@ double tie_weight(Point p, double spacing) {
   return 1e-7 * spacing * spacing * static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-// The Voronoi cell of one point after another, about the point.
+// The Voronoi cell of one point after another. Corners are relative to the point, each with the neighbour
+// whose bisector is the side that leaves it; a coordinate an array, so that a bisector is held against
+// several at once.
 class Cell {
  public:
   // A square.
   void reset(double half_width) {
-    corners_ = {{-half_width, -half_width, none},
-                {half_width, -half_width, none},
-                {half_width, half_width, none},
-                {-half_width, half_width, none}};
+    reserve(4);
+    count_ = 4;
+    constexpr double x[] = {-1, 1, 1, -1}, y[] = {-1, -1, 1, 1};
+    for (int i = 0; i < 4; ++i) now_.put(i, half_width * x[i], half_width * y[i], none);
     measure();
   }
 
   double radius_squared() const { return radius_squared_; }
-  const std::vector<Corner>& corners() const { return corners_; }
+  std::span<const Index> sides() const { return {now_.side.data(), count_}; }
 
   // Keeps a x + b y <= c.
   void cut(double a, double b, double c, Index side) {
-    const std::size_t count = corners_.size();
-    beyond_.resize(count);
-    bool touched = false;
-    for (std::size_t i = 0; i < count; ++i) {
-      beyond_[i] = a * corners_[i].x + b * corners_[i].y - c;
-      touched |= beyond_[i] > 0;
+    for (std::size_t i = 0; i < count_; ++i) beyond_[i] = a * now_.x[i] + b * now_.y[i] - c;
+    double farthest = beyond_[0];
+    for (std::size_t i = 1; i < count_; ++i) farthest = std::max(farthest, beyond_[i]);
+    if (!(farthest > 0)) return;
+    reserve(count_ + 2);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const std::size_t j = i + 1 < count_ ? i + 1 : 0;
+      const double at_i = beyond_[i], at_j = beyond_[j];
+      if (at_i <= 0) next_.put(next++, now_.x[i], now_.y[i], now_.side[i]);
+      if ((at_i <= 0) == (at_j <= 0)) continue;
+      const double t = at_i / (at_i - at_j);
+      next_.put(next++, now_.x[i] + t * (now_.x[j] - now_.x[i]), now_.y[i] + t * (now_.y[j] - now_.y[i]),
+                at_i <= 0 ? side : now_.side[i]);
     }
-    if (!touched) return;
-    next_.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t j = i + 1 < count ? i + 1 : 0;
-      const Corner &p = corners_[i], &q = corners_[j];
-      const double at_p = beyond_[i], at_q = beyond_[j];
-      if (at_p <= 0) next_.push_back(p);
-      if ((at_p <= 0) != (at_q <= 0)) {
-        const double t = at_p / (at_p - at_q);
-        next_.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), at_p <= 0 ? side : p.side});
-      }
-    }
-    corners_.swap(next_);
+    count_ = next;
+    std::swap(now_, next_);
     measure();
   }
 
  private:
+  struct Corners {
+    std::vector<double> x, y;
+    std::vector<Index> side;
+
+    void put(std::size_t i, double at_x, double at_y, Index leaving) {
+      x[i] = at_x, y[i] = at_y, side[i] = leaving;
+    }
+  };
+
+  // Rounding may bend a side, so that a cut could add more than one corner: twice as many are room enough.
+  void reserve(std::size_t count) {
+    if (beyond_.size() >= 2 * count) return;
+    beyond_.resize(4 * count);
+    for (Corners* corners : {&now_, &next_}) {
+      corners->x.resize(beyond_.size());
+      corners->y.resize(beyond_.size());
+      corners->side.resize(beyond_.size());
+    }
+  }
   void measure() {
     radius_squared_ = 0;
-    for (const Corner& p : corners_) radius_squared_ = std::max(radius_squared_, p.x * p.x + p.y * p.y);
+    for (std::size_t i = 0; i < count_; ++i) {
+      radius_squared_ = std::max(radius_squared_, now_.x[i] * now_.x[i] + now_.y[i] * now_.y[i]);
+    }
   }
 
-  std::vector<Corner> corners_, next_;
+  std::size_t count_ = 0;
+  Corners now_, next_;
   std::vector<double> beyond_;
   double radius_squared_ = 0;
 };
@@ -151,7 +166,7 @@ struct Row {
 constexpr std::size_t points_in_row = 4096;
 
 void append_star(const Cell& cell, std::vector<Index>& ids) {
-  for (const Corner& corner : cell.corners()) ids.push_back(corner.side);
+  ids.insert(ids.end(), cell.sides().begin(), cell.sides().end());
 }
 
 }  // namespace
@@ -179,7 +194,7 @@ Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<
     for (Index i = first; i < last; ++i) {
       if (finder.cut_by_own(cell, i)) {
         append_star(cell, row.ids);
-        size[i] = static_cast<std::uint32_t>(cell.corners().size());
+        size[i] = static_cast<std::uint32_t>(cell.sides().size());
       } else {
         row.open.push_back(i);
         is_open[i] = 1;
@@ -198,7 +213,7 @@ Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<
       auto other = std::lower_bound(one_way.begin(), one_way.end(), OneWay{i, 0});
       for (; other != one_way.end() && other->first == i; ++other) finder.cut(cell, i, other->second);
       append_star(cell, open_rows[first / points_in_row].ids);
-      size[i] = static_cast<std::uint32_t>(cell.corners().size());
+      size[i] = static_cast<std::uint32_t>(cell.sides().size());
     }
   });
 

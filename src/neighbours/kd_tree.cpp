@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "neighbours/kd_tree.h"
 
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -47,14 +49,21 @@ KdTree::KdTree(Points points, int leaf, const Run& run)
   bounds_.resize(2 * leaf_count());
   for (std::size_t i = 0; i <= leaf_count(); ++i) first_.push_back(size() * i >> depth_);
   std::vector<Item> items(size());
-  for (std::size_t i = 0; i < size(); ++i) {
-    items[i] = {{points[i].x, points[i].y, points[i].z}, static_cast<Index>(i)};
-  }
-  tbb::task_arena(thread_count(run)).execute([&] { split(items, 1); });
-  for (std::size_t i = 0; i < size(); ++i) {
-    x[i] = items[i].coordinate[0], y[i] = items[i].coordinate[1], z[i] = items[i].coordinate[2];
-    id[i] = items[i].id;
-  }
+  tbb::task_arena(thread_count(run)).execute([&] {
+    const tbb::blocked_range<std::size_t> all(0, size(), least_parallel);
+    tbb::parallel_for(all, [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        items[i] = {{points[i].x, points[i].y, points[i].z}, static_cast<Index>(i)};
+      }
+    });
+    split(items, 1);
+    tbb::parallel_for(all, [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        x[i] = items[i].coordinate[0], y[i] = items[i].coordinate[1], z[i] = items[i].coordinate[2];
+        id[i] = items[i].id;
+      }
+    });
+  });
 }
 
 }  // namespace rimline
