@@ -225,6 +225,11 @@ The memory limit is what the bytes that a stage must move cost at the speed of a
 `rimline reconstruct`:
 
 {where(r, "reconstruct", 1_000_000)}
+What stays on one core: the radix sort of *arrange* and the groups of stray points (each step needs the one before;
+memory bound); in *loops* the walk that turns triangles to one side, the queue that fills notches, smallest first, and the
+search within one group of doubtful triangles (groups are searched at the same time). Sums of numbers are taken in a
+fixed order, so that bytes do not depend on threads.
+
 ## Stages alone
 
 `rimline_bench_speed`, Google Benchmark, on a random sheet; *in input order* means points in random order.
