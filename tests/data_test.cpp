@@ -104,6 +104,41 @@ double points_f1(const Cloud& cloud, const std::vector<Loop>& loops) {
   return 2 * static_cast<double>(right) / static_cast<double>(all + found.size());
 }
 
+TEST_CASE("rims of real scans that sizes alone get wrong are made right by the search") {
+  // A rim of 16 points in a grid of rows, a jagged cut, and a density border: points F1 without and with it.
+  struct Case {
+    const char* set;
+    double least;
+  };
+  for (const auto& [set, least] : {Case{"halftunnel", 1}, Case{"isis_open", 0.92}, Case{"mannequin", 1}}) {
+    const std::string path = path_of(set);
+    if (path.empty()) continue;
+    CAPTURE(set);
+    const Cloud cloud = read_cloud(path, {});
+    Options options = preset_options(Preset::Default);
+    CHECK(points_f1(cloud, find_boundary(cloud.points, options, {}).loops) >= least);
+    options.exact.rim_generations = 0;
+    CHECK(points_f1(cloud, find_boundary(cloud.points, options, {}).loops) < least - 0.02);
+  }
+}
+
+TEST_CASE("gaps at density borders and between patches are not returned as holes") {
+  struct Case {
+    const char* set;
+    std::size_t fewest, most;  // loops; two duplicate points pinch the outer one of beetle
+  };
+  for (const auto& [set, fewest, most] : {Case{"mannequin_devil", 1, 1}, Case{"beetle", 11, 13}}) {
+    const std::string path = path_of(set);
+    if (path.empty()) continue;
+    CAPTURE(set);
+    const Cloud cloud = read_cloud(path, {});
+    const auto loops = find_boundary(cloud.points, preset_options(Preset::Default), {}).loops;
+    CHECK(loops.size() >= fewest);
+    CHECK(loops.size() <= most);
+    CHECK(points_f1(cloud, loops) >= 0.9);
+  }
+}
+
 TEST_CASE("the ragged rim of a raw range scan is found, and its mesh has no pinch") {
   const std::string path = path_of("bunny_scan");
   if (path.empty()) return;

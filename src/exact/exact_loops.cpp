@@ -228,11 +228,24 @@ class Survey {
       c.loop.points = std::move(ids);
       c.loop.length = loop_length(points_, c.loop.points);
       c.loop.probability = rim_probability(c.loop.points, kept_);
+      if (!raster_) c.loop.probability *= no_gap(discs(c.loop.points));
       c.returned = static_cast<int>(c.loop.points.size()) >= options_.min_loop &&
                    c.loop.probability >= options_.min_probability &&
                    result_.components[c.loop.component].triangles >= least_sheet;
       candidates_.push_back(std::move(c));
     }
+  }
+
+  // Its vector area over that of a disc whose radius is the largest spacing on it.
+  double discs(const std::vector<Index>& ids) const {
+    double largest = 0;
+    Point area;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const Point a = points_[ids[i]], b = points_[ids[i + 1 < ids.size() ? i + 1 : 0]];
+      area = area + 0.5 * cross(a - points_[ids[0]], b - points_[ids[0]]);
+      largest = std::max(largest, spacing_[ids[i]]);
+    }
+    return norm(area) / (std::numbers::pi * largest * largest);
   }
 
   double rim_probability(const std::vector<Index>& ids, const Kept& kept) const {

@@ -46,6 +46,8 @@ double loop_probability(std::size_t points, double emptiness, double thickness) 
   return logistic(-2.4 + 0.8 * size - 7 * thickness + 2.4 * std::min(emptiness, 3.0));
 }
 
+double no_gap(double discs) { return std::pow(std::min(1.0, discs), 2); }
+
 double raster_loop_probability(std::size_t points) {
   const double n = static_cast<double>(points);
   return n / (n + 2);

@@ -21,6 +21,10 @@ double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeight
 // points, the median over its edges of emptiness_beyond(), and the mean thickness of the frames along it.
 double loop_probability(std::size_t points, double emptiness, double thickness);
 
+// That a loop is no gap between one of its points and its neighbours, as density borders have them: by its
+// vector area over that of a disc whose radius is the largest spacing on it. 1 from one disc on.
+double no_gap(double discs);
+
 // The same on a raster, which has a rim where a sample is missing or the depth jumps: one missing sample, six
 // points, may be a fault of the scanner.
 double raster_loop_probability(std::size_t points);
