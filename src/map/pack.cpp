@@ -10,10 +10,12 @@ namespace rimline {
 namespace {
 
 struct UVBox {
+  std::size_t vertices = 0;
   UV low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   UV high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
   void include(UV p) {
+    ++vertices;
     low = {std::min(low.u, p.u), std::min(low.v, p.v)};
     high = {std::max(high.u, p.u), std::max(high.v, p.v)};
   }
@@ -30,16 +32,19 @@ std::vector<UVBox> boxes_of(std::span<const Index> patch, std::size_t count, con
   return boxes;
 }
 
-// Those that have a map, the first before all, then by falling height.
+// Those that have a map: the one of most vertices, then the others by falling height.
 std::vector<std::size_t> order_of(const std::vector<UVBox>& boxes) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (!boxes[i].empty()) order.push_back(i);
   }
-  if (!order.empty()) {
-    std::stable_sort(order.begin() + 1, order.end(),
-                     [&](std::size_t a, std::size_t b) { return boxes[a].height() > boxes[b].height(); });
-  }
+  if (order.empty()) return order;
+  const auto most = std::max_element(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return boxes[a].vertices < boxes[b].vertices;
+  });
+  std::rotate(order.begin(), most, most + 1);
+  std::stable_sort(order.begin() + 1, order.end(),
+                   [&](std::size_t a, std::size_t b) { return boxes[a].height() > boxes[b].height(); });
   return order;
 }
 

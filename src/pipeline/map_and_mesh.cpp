@@ -28,7 +28,7 @@ void check_loops_bound_something(const std::vector<Loop>& loops) {
               "boundary can not be told from the points");
 }
 
-void report_patch(Report& report, const PatchReport& patch) {
+void report_patch(Report& report, const PatchReport& patch, Domain wanted) {
   report.map.unknowns += patch.map.unknowns;
   report.map.iterations += patch.map.iterations;
   report.map.residual = std::max(report.map.residual, patch.map.residual);
@@ -46,6 +46,12 @@ void report_patch(Report& report, const PatchReport& patch) {
         "component {} is suspect: {:.1f} % of its inner edges are longer than 3 spacings or folded beyond "
         "120 degrees",
         at, 100 * patch.bad_share));
+  }
+  if (patch.failure.empty() && patch.domain != wanted) {
+    report.warnings.push_back(
+        fmt::format("component {} has the disc's map, at the area of the surface: the free one would leave "
+                    "triangles turned over or an outline that crosses itself",
+                    at));
   }
   if (!patch.failure.empty()) {
     report.warnings.push_back(fmt::format("component {} was not meshed: {}", at, patch.failure));
@@ -111,7 +117,7 @@ void mesh_patches(Work& work) {
   work.vertices = work.arrangement.points;
   work.vertices.insert(work.vertices.end(), surface.added.begin(), surface.added.end());
   work.report.has_map = true;
-  for (const PatchReport& patch : surface.patches) report_patch(work.report, patch);
+  for (const PatchReport& patch : surface.patches) report_patch(work.report, patch, work.options.map.domain);
   orient_patches(work, surface.patches.size());
   take_out_filled(work, surface.patches);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "map/pack.h"
 #include "rimline/triangulate.h"
 
 namespace rimline::pipeline {
@@ -18,20 +19,22 @@ std::vector<Point> arranged_normals(const Work& work) {
   return normals;
 }
 
-// The height about which a map is mirrored: the axis of the first patch's disc, else the middle of its box.
+// The height about which a map is mirrored: the axis, where only signs change, or the middle of a box that
+// stands on it.
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 };
 
 std::vector<Range> ranges_of(const Work& work, std::size_t count) {
+  const bool box = work.options.map.domain == Domain::Square || work.options.map.domain == Domain::Rectangle;
+  if (!box) return std::vector<Range>(count, Range{0, 0});
   std::vector<Range> ranges(count);
   for (std::size_t i = 0; i < work.uv.size(); ++i) {
-    const std::size_t patch = work.patch.empty() ? 0 : work.patch[i];
     if (!work.patch.empty() && work.patch[i] == none) continue;
-    ranges[patch].low = std::min(ranges[patch].low, work.uv[i].v);
-    ranges[patch].high = std::max(ranges[patch].high, work.uv[i].v);
+    Range& range = ranges[work.patch.empty() ? 0 : work.patch[i]];
+    range.low = std::min(range.low, work.uv[i].v);
+    range.high = std::max(range.high, work.uv[i].v);
   }
-  if (work.options.map.domain == Domain::Disc && count > 0) ranges[0] = {0, 0};
   return ranges;
 }
 
@@ -77,6 +80,7 @@ void orient_patches(Work& work, std::size_t count) {
     begin = end;
   }
   mirror(work, turned);
+  pack_patches(work.patch, count, work.uv);  // those mirrored about the axis may have come over others
 }
 
 }  // namespace rimline::pipeline

@@ -9,7 +9,9 @@
 
 namespace rimline {
 
-TEST_CASE("boxes of any size are packed without overlap, the first where it was, and not in one long row") {
+TEST_CASE(
+    "boxes of any size are packed without overlap, the one of most vertices where it was, and not in one "
+    "long row") {
   Random random(5);
   constexpr std::size_t count = 30;
   std::vector<Index> patch;
@@ -21,6 +23,8 @@ TEST_CASE("boxes of any size are packed without overlap, the first where it was,
       patch.push_back(p);
     }
   }
+  uv.push_back({0, 0});  // the first has most
+  patch.push_back(0);
   uv.push_back({7, 7});  // of no patch
   patch.push_back(none);
   const std::vector<UV> before = uv;
