@@ -58,7 +58,7 @@ double point_probability(double notch, bool on_rim, double chi_square_score, dou
   const double p = std::clamp(loop_probability, 0.01, 0.99), rim = std::log(p / (1 - p));
   const double point = on_rim
                            ? logistic(-2.51 + 0.11 * std::clamp(notch, -4.0, 8.0) + 1.36 * chi + 0.68 * rim)
-                           : logistic(-4.16 + 0.40 * std::clamp(notch, -10.0, 4.0) + 1.94 * chi + 0.10 * rim);
+                           : logistic(-3.7 + 0.40 * std::clamp(notch, -10.0, 4.0) + 1.94 * chi + 0.10 * rim);
   return point * std::min(1.0, 2 * p);  // creases and thin walls score high too
 }
 
