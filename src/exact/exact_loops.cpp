@@ -361,7 +361,8 @@ class Survey {
           result_.probability[drawn.near[i]] =
               static_cast<float>(blurred_probability(drawn.depth[i], blur_.noise, loop.probability));
         }
-        if (blur_.noise > 0) {  // without noise the search knows better which points the line goes through
+        // Without noise, and among random points, the search knows better which points the line goes through.
+        if (blur_.noise > 0 && (blur_.irregular < 0.5 || drawn.woven)) {
           loop.points = drawn.loop;
           loop.length = length;
         }

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "exact/weave.h"
+
 namespace rimline::exact {
 namespace {
 
@@ -25,6 +27,8 @@ struct Station {
   Point at, along, out, normal;  // the directions are unit vectors
   double step;                   // length of one unit of t
   double spacing;                // of the points here
+  double along_weave = 1;        // how much closer points lie along the curve than alike in all directions,
+  double out_weave = 1;          // and across it
 };
 
 Point unit(Point p) { return (1 / std::max(norm(p), 1e-300)) * p; }
@@ -53,13 +57,61 @@ class Curve {
   const Station& station(std::size_t i) const { return stations_[i]; }
   double t_of(std::size_t i) const { return period_ * static_cast<double>(i) / static_cast<double>(size()); }
 
-  // Length in spacings of the curve moved inwards by `depth` spacings.
-  double length(double depth) const {
+  // How many points a rim here has where points are one to a square spacing.
+  double point_count() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      const Station &a = stations_[i], &b = stations_[i + 1 < stations_.size() ? i + 1 : 0];
+      sum += a.along_weave * distance(a.at, b.at) / (0.5 * (a.spacing + b.spacing));
+    }
+    return sum;
+  }
+
+  // Whether points lie closer in one direction than in another.
+  bool woven() const { return woven_; }
+
+  // Measures in which directions points lie close, from those behind the rim: places t, ascending, and
+  // offsets along the curve and out to neighbours, in spacings.
+  void set_weaves(const std::vector<std::pair<double, Offset>>& offsets) {
+    constexpr double window = 6;         // of t, to either side
+    constexpr std::size_t stride = 6;    // from one measure to the next; between them it changes little
+    constexpr double least_mean = 0.85;  // of the log ratio: random points have 0.6, scan lines 1.2 or more
+    std::vector<Offset> near;
+    const auto take = [&](double from, double to) {
+      auto at = std::lower_bound(offsets.begin(), offsets.end(), from,
+                                 [](const auto& x, double t) { return x.first < t; });
+      for (; at != offsets.end() && at->first < to; ++at) near.push_back(at->second);
+    };
+    const double reach = std::min(window, period_ / 2);
+    double sum = 0;
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      if (i % stride == 0) {
+        near.clear();
+        for (const double turn : {-period_, 0.0, period_}) {
+          take(t_of(i) + turn - reach, t_of(i) + turn + reach);
+        }
+        const Weave weave = find_weave(near);
+        stations_[i].along_weave = std::sqrt(weave.xx);
+        stations_[i].out_weave = std::sqrt(weave.yy);
+        sum += std::acosh(std::max(1.0, (weave.xx + weave.yy) / 2));  // half the sum of e^ratio and e^-ratio
+      } else {
+        stations_[i].along_weave = stations_[i - 1].along_weave;
+        stations_[i].out_weave = stations_[i - 1].out_weave;
+      }
+    }
+    const auto measures = static_cast<double>((stations_.size() - 1) / stride + 1);
+    woven_ = sum / measures >= least_mean;
+    if (woven_) return;
+    for (Station& s : stations_) s.along_weave = s.out_weave = 1;
+  }
+
+  // Area in square spacings of a strip one spacing wide, as the weave has it, `depth` spacings inwards.
+  double strip(double depth) const {
     double sum = 0;
     const auto moved = [&](const Station& s) { return s.at - depth * s.spacing * s.out; };
     for (std::size_t i = 0; i < stations_.size(); ++i) {
       const Station &a = stations_[i], &b = stations_[i + 1 < stations_.size() ? i + 1 : 0];
-      sum += distance(moved(a), moved(b)) / (0.5 * (a.spacing + b.spacing));
+      sum += distance(moved(a), moved(b)) / (0.5 * (a.spacing + b.spacing)) / a.out_weave;
     }
     return sum;
   }
@@ -116,12 +168,14 @@ class Curve {
   const std::vector<double>& spacing_;
   std::vector<Station> stations_;
   double period_ = 0;
+  bool woven_ = false;
 };
 
 // Where a point lies over the curve.
 struct Place {
   Index point;
-  double t = 0, out = 0;  // out: in spacings
+  double t = 0, out = 0;  // out: in spacings, as the weave has them
+  std::size_t station = 0;
   double squared_distance = infinite;
   Point normal = {};
 };
@@ -129,14 +183,16 @@ struct Place {
 // The points around the beads, from the outermost inwards.
 class Places {
  public:
-  Places(const Curve& curve, Points points, const Neighbours& neighbours, const std::vector<Bead>& beads)
+  Places(Curve& curve, Points points, const Neighbours& neighbours, const std::vector<Bead>& beads)
       : curve_(curve), points_(points) {
     for (const Bead& bead : beads) {
       look(bead.point, bead.t);
-      for (const Index v : neighbours.of(bead.point, std::min(24, neighbours.k))) look(v, bead.t);
+      for (const Index v : neighbours.of(bead.point)) look(v, bead.t);
     }
     std::erase_if(found_, [](const Place& p) { return p.squared_distance == infinite; });
     for (Place& p : found_) p.t -= curve.period() * std::floor(p.t / curve.period());
+    curve.set_weaves(offsets_behind(neighbours));
+    for (Place& p : found_) p.out *= station_of(p).out_weave;
     std::sort(found_.begin(), found_.end(), [](const Place& a, const Place& b) {
       return std::tie(b.out, a.point) < std::tie(a.out, b.point);
     });
@@ -153,9 +209,10 @@ class Places {
 
   // Of the ways to part them near the first `count` the one where they are fewest.
   std::size_t valley(std::size_t count) const {
-    constexpr double width = 0.12;                                // spacings: half of what is looked at
-    const double usual = 2 * width * curve_.length(0);            // one point to a square spacing
-    const double likely = 1 + 0.03 * static_cast<double>(count);  // error of the count
+    constexpr double width = 0.12;                      // spacings: half of what is looked at
+    const double usual = 2 * width * curve_.strip(0);   // one point to a square spacing
+    const double share = curve_.woven() ? 0.08 : 0.03;  // by which the count is wrong
+    const double likely = 1 + share * static_cast<double>(count);
     const auto most = static_cast<std::size_t>(std::lround(2 * likely));
     double least = infinite;
     std::size_t best = count;
@@ -191,7 +248,27 @@ class Places {
       place.t = curve_.t_of(i) + std::clamp(dot(d, s.along) / s.step, -0.5, 0.5);
       place.out = dot(d, s.out) / s.spacing;
       place.normal = s.normal;
+      place.station = i;
     }
+  }
+
+  const Station& station_of(const Place& place) const { return curve_.station(place.station); }
+
+  // From the places right behind the rim to their neighbours.
+  std::vector<std::pair<double, Offset>> offsets_behind(const Neighbours& neighbours) const {
+    constexpr double near = 0.6, far = 2.6;  // spacings
+    constexpr int count = 16;
+    std::vector<std::pair<double, Offset>> offsets;
+    for (const Place& place : found_) {
+      if (place.out > -near || place.out < -far) continue;
+      const Station& s = station_of(place);
+      for (const Index v : neighbours.of(place.point, std::min(count, neighbours.k))) {
+        const Point d = (1 / s.spacing) * (points_[v] - points_[place.point]);
+        if (std::abs(dot(d, s.normal)) < 1) offsets.push_back({place.t, {dot(d, s.along), dot(d, s.out)}});
+      }
+    }
+    std::sort(offsets.begin(), offsets.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    return offsets;
   }
 
   const Curve& curve_;
@@ -214,10 +291,13 @@ double row_of(const Places& places, const std::vector<Bead>& beads) {
 
 // How many points the rim has.
 std::size_t expected_count(const Curve& curve, const Places& places, double row) {
-  constexpr double near = 0.8, far = 2.2;  // spacings behind the rim, where the density is measured
-  const auto behind = static_cast<double>(places.beyond(row - far) - places.beyond(row - near));
-  const double density = behind / ((far - near) * curve.length((near + far) / 2 - row));
-  const double count = std::sqrt(density) * curve.length(-row);
+  // The density is measured in a strip behind the rim with soft edges, so that rows do not come in or fall
+  // out.
+  constexpr double middle = 1.5, width = 1;  // spacings
+  double behind = 0;
+  for (const Place& p : places.found()) behind += std::max(0.0, 1 - std::abs(p.out - row + middle) / width);
+  const double density = behind / (width * curve.strip(middle - row));
+  const double count = std::sqrt(density) * curve.point_count() * curve.strip(-row) / curve.strip(0);
   return count < 1e9 ? static_cast<std::size_t>(std::lround(count)) : 0;  // 0 where there is no area behind
 }
 
@@ -282,12 +362,14 @@ Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<do
     if (count < shortest || count >= places.found().size()) return {};
     // A rim with more points than that is sampled more closely along than across it, as by scan lines: what
     // is behind does not tell its points.
-    if (count + beside(count, blur) < rim.size()) return {};
+    const std::size_t close = curve.woven() ? 0 : beside(count, blur);  // rows are not strewn
+    if (count + close < rim.size()) return {};
     count = places.valley(count);
     const auto& all = places.found();
-    const std::size_t last = std::min(all.size() - 1, count + beside(count, blur));
+    const std::size_t last = std::min(all.size() - 1, count + close);
     on_rim = outermost(all, count);
     beads = outermost(all, last);
+    result.woven = curve.woven();
     result.near.clear();
     result.depth.clear();
     const double line = 0.5 * (all[last - 1].out + all[last].out);

@@ -16,6 +16,7 @@ struct Blur {
 };
 
 struct Redrawn {
+  bool woven = false;       // whether points lie closer in one direction than in another, as along scan lines
   std::vector<Index> loop;  // simple; empty where the rim can not be drawn anew
   std::vector<Index> near;  // all points that were looked at: those of the loop, then the others, inwards ...
   std::vector<double> depth;  // ... and how far outside the line each lies, in spacings, that parts the

@@ -271,6 +271,18 @@ TEST_CASE("a small hole is found under noise of half a spacing") {
   CHECK(found >= 5);
 }
 
+TEST_CASE("the rim of noisy scan lines is found along and across them") {
+  for (const Shape shape : {Shape::BumpySquare, Shape::HemisphereCap}) {
+    const Sample sample = make(shape, Sampling::ScanLines, 3000, 0.2);
+    const Found found = find_loops(sample.points);
+    REQUIRE(found.loops.size() == 1);
+    const double hits = std::count_if(found.loops[0].begin(), found.loops[0].end(),
+                                      [&](Index id) { return sample.boundary[id] == 1; });
+    const double sum = static_cast<double>(found.loops[0].size() + sample.loops[0].points.size());
+    CHECK(2 * hits / sum >= 0.94);
+  }
+}
+
 TEST_CASE("the length of a loop is that of the points as they were given") {
   const Sample noisy = make(Shape::HemisphereCap, Sampling::BlueNoise, 1000, 0.5);
   const Found found = find_loops(noisy.points);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exact/weave.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace rimline::exact;
+
+namespace {
+
+// Offsets in a lattice of steps 1 / root(ratio) along a direction and root(ratio) across it.
+std::vector<Offset> lattice(double ratio, double angle) {
+  std::vector<Offset> offsets;
+  for (int i = -6; i <= 6; ++i) {
+    for (int j = -6; j <= 6; ++j) {
+      const double x = i / std::sqrt(ratio), y = j * std::sqrt(ratio);
+      if ((i == 0 && j == 0) || x * x + y * y > 9) continue;
+      offsets.push_back(
+          {std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y});
+    }
+  }
+  return offsets;
+}
+
+}  // namespace
+
+TEST_CASE("in a lattice the weave makes both steps alike, whichever way it is turned") {
+  for (const double ratio : {1.0, 2.0, 3.0}) {
+    for (const double angle : {0.0, 0.4, 1.2}) {
+      const Weave w = find_weave(lattice(ratio, angle));
+      const double c = std::cos(angle), s = std::sin(angle);
+      const double along = w.xx * c * c + 2 * w.xy * c * s + w.yy * s * s;
+      const double across = w.xx * s * s - 2 * w.xy * c * s + w.yy * c * c;
+      CHECK(std::sqrt(along) == doctest::Approx(std::sqrt(ratio)).epsilon(0.1));
+      CHECK(std::sqrt(across) == doctest::Approx(1 / std::sqrt(ratio)).epsilon(0.1));
+      CHECK(w.xx * w.yy - w.xy * w.xy == doctest::Approx(1));
+    }
+  }
+}
+
+TEST_CASE("no offsets, or all on one line, weave nothing") {
+  CHECK(find_weave({}).xx == 1);
+  CHECK(find_weave({{1, 0}, {-1, 0}}).xy == 0);
+}
