@@ -207,8 +207,8 @@ TEST_CASE("five loops that sizes alone get wrong are made right by the search") 
       {"jagged rim around bumps", Shape::BumpySquare, Sampling::Cropped, 0, 2},
       {"jagged rim of a cap", Shape::HemisphereCap, Sampling::Cropped, 0, 1},
       {"scan lines with holes, noise", Shape::SquareWithHoles, Sampling::ScanLines, 0.2, 1},
-      {"other scan lines with holes, noise", Shape::SquareWithHoles, Sampling::ScanLines, 0.2, 2},
-      {"a random tube, noise", Shape::CappedTube, Sampling::Random, 0.2, 1},
+      {"scan lines of a curled strip", Shape::CurledStrip, Sampling::ScanLines, 0, 1},
+      {"a small opening in random points, noise", Shape::SphereMinusCap, Sampling::Random, 0.2, 1},
   };
   ExactLoopOptions off;
   off.rim_generations = 0;
