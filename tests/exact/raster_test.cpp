@@ -86,6 +86,16 @@ TEST_CASE("what is no raster is not taken for one") {
   CHECK_FALSE(find(turned(shaken)).has_value());
 }
 
+TEST_CASE("a grid whose rim is not of it is no raster") {
+  for (const Sampling sampling : {Sampling::Grid, Sampling::ScanLines}) {
+    SampleOptions options;
+    options.shape = Shape::WavySaddle;
+    options.sampling = sampling;
+    options.n = 10000;
+    CHECK_FALSE(find(sample(options, {}).points).has_value());
+  }
+}
+
 TEST_CASE("a depth jump parts the surface, a steep slope does not") {
   for (const double jump : {3.0, 12.0}) {
     const auto points = turned(scan([&](int x, int y) { return bowl(x, y) + (x < 15 ? 0 : jump); }));
