@@ -360,9 +360,8 @@ Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<do
     const Places places(curve, points, neighbours, beads);
     std::size_t count = expected_count(curve, places, row_of(places, beads));
     if (count < shortest || count >= places.found().size()) return {};
-    // A rim with more points than that is sampled more closely along than across it, as by scan lines: what
-    // is behind does not tell its points.
     const std::size_t close = curve.woven() ? 0 : beside(count, blur);  // rows are not strewn
+    // What is behind a rim with more points than that does not tell its points.
     if (count + close < rim.size()) return {};
     count = places.valley(count);
     const auto& all = places.found();

@@ -3,19 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/corner_angles.h"
 #include "parallel.h"
 #include "rimline/measure.h"
 
 namespace rimline {
 namespace {
-
-// Angles as the summary of the mesh has them.
-std::array<double, 3> corner_angles(Point a, Point b, Point c) {
-  const double twice_area = norm(cross(b - a, c - a));
-  const double at_a = std::atan2(twice_area, dot(b - a, c - a));
-  const double at_b = std::atan2(twice_area, dot(c - b, a - b));
-  return {at_a, at_b, std::max(0.0, std::acos(-1.0) - at_a - at_b)};
-}
 
 // One triangle before its component's scale is known.
 struct TriangleMap {

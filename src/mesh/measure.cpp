@@ -8,18 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/corner_angles.h"
 #include "parallel.h"
 #include "union_find.h"
 
 namespace rimline {
 namespace {
-
-std::array<double, 3> corner_angles(Point a, Point b, Point c) {
-  const double twice_area = norm(cross(b - a, c - a));
-  const double at_a = std::atan2(twice_area, dot(b - a, c - a));
-  const double at_b = std::atan2(twice_area, dot(c - b, a - b));
-  return {at_a, at_b, std::max(0.0, std::numbers::pi - at_a - at_b)};
-}
 
 Point in_space(UV p) { return {p.u, p.v, 0}; }
 

@@ -8,42 +8,13 @@
 #include <utility>
 
 #include "parallel.h"
+#include "solve/blocks.h"
 
 namespace rimline {
 namespace {
 
-// Rows of one block are treated in order by one thread. The blocks do not depend on the number of threads,
-// and whatever couples two blocks is read from vectors that nobody writes.
-constexpr Index block_size = 8192;
 constexpr Index coarsest_size = 300;  // small enough for a dense factor: 9 million operations
 constexpr double strong = 0.08;       // of sqrt(a_ii a_jj), halved on each level (Vanek et al., section 5.1)
-
-Index block_count(Index n) { return (n + block_size - 1) / block_size; }
-
-// Calls body(block, begin, end) for every block of rows.
-template <class Body>
-void for_each_block(Index n, const Body& body) {
-  const auto run_block = [&](Index k) { body(k, k * block_size, std::min(n, (k + 1) * block_size)); };
-  if (n <= block_size) {
-    if (n > 0) run_block(0);
-    return;
-  }
-  tbb::parallel_for(Index{0}, block_count(n), run_block);
-}
-
-// Sums body(row) over all rows: in order inside a block, then block after block.
-template <class Body>
-UV blockwise_sum(Index n, std::vector<UV>& partial, const Body& body) {
-  partial.assign(block_count(n), {});
-  for_each_block(n, [&](Index block, Index begin, Index end) {
-    UV sum;
-    for (Index i = begin; i < end; ++i) sum = sum + body(i);
-    partial[block] = sum;
-  });
-  UV sum;
-  for (const UV& p : partial) sum = sum + p;
-  return sum;
-}
 
 void compute_residual(const SymmetricMatrix& a, const UV* b, const UV* x, UV* r) {
   for_each_block(a.size(), [&](Index, Index begin, Index end) {
@@ -198,8 +169,8 @@ std::vector<Index> Multigrid::aggregate(const SymmetricMatrix& a, double thresho
   return aggregates;
 }
 
-// P = (I - w D^-1 A) T, T the aggregates' indicator. Weak entries of A count to its diagonal. w = 2/3, as
-// the spectrum of D^-1 A reaches at most 2.
+// P = (I - w D^-1 A) T, T the aggregates' indicator. Weak entries of A count to its diagonal. w = 0.9,
+// by trial (docs/profile.md); the spectrum of D^-1 A reaches at most 2, so that any w below 1 damps.
 Multigrid::Prolongation Multigrid::smooth(const SymmetricMatrix& a, const std::vector<Index>& aggregates,
                                           double threshold) const {
   constexpr double omega = 0.9;
@@ -393,10 +364,10 @@ SolveResult solve(Multigrid& multigrid, const std::vector<UV>& b, double toleran
                   std::vector<UV>& x, const Run& run) {
   const SymmetricMatrix& a = multigrid.matrix();
   const Index n = a.size();
-  std::vector<UV> r(n), z(n), p(n), q(n), partial;
+  std::vector<UV> r(n), z(n), p(n), q(n);
   const auto product = [](UV s, UV t) { return UV{s.u * t.u, s.v * t.v}; };
   const auto quotient = [](UV s, UV t) { return UV{t.u > 0 ? s.u / t.u : 0, t.v > 0 ? s.v / t.v : 0}; };
-  const UV size = blockwise_sum(n, partial, [&](Index i) { return product(b[i], b[i]); });
+  const UV size = sum_of(n, [&](Index i) { return product(b[i], b[i]); });
   const auto relative = [&](UV rr) {
     const UV ratio = {size.u > 0 ? rr.u / size.u : rr.u, size.v > 0 ? rr.v / size.v : rr.v};
     return std::sqrt(std::max(ratio.u, ratio.v));
@@ -405,23 +376,23 @@ SolveResult solve(Multigrid& multigrid, const std::vector<UV>& b, double toleran
   tbb::task_arena arena(thread_count(run));
   arena.execute([&] {
     compute_residual(a, b.data(), x.data(), r.data());
-    UV rr = blockwise_sum(n, partial, [&](Index i) { return product(r[i], r[i]); });
+    UV rr = sum_of(n, [&](Index i) { return product(r[i], r[i]); });
     UV rz;
     while (relative(rr) > tolerance && result.iterations < max_iterations) {
       run.check_cancel();
       multigrid.precondition(r, z);
-      const UV next = blockwise_sum(n, partial, [&](Index i) { return product(r[i], z[i]); });
+      const UV next = sum_of(n, [&](Index i) { return product(r[i], z[i]); });
       const UV beta = quotient(next, rz);
       rz = next;
       for_each_block(n, [&](Index, Index begin, Index end) {
         for (Index i = begin; i < end; ++i) p[i] = z[i] + product(beta, p[i]);
       });
-      const UV pq = blockwise_sum(n, partial, [&](Index i) {
+      const UV pq = sum_of(n, [&](Index i) {
         q[i] = a.diagonal[i] * p[i] + a.off_diagonal(i, p.data());
         return product(p[i], q[i]);
       });
       const UV alpha = quotient(rz, pq);
-      rr = blockwise_sum(n, partial, [&](Index i) {
+      rr = sum_of(n, [&](Index i) {
         x[i] = x[i] + product(alpha, p[i]);
         r[i] = r[i] - product(alpha, q[i]);
         return product(r[i], r[i]);
@@ -429,7 +400,7 @@ SolveResult solve(Multigrid& multigrid, const std::vector<UV>& b, double toleran
       ++result.iterations;
     }
     compute_residual(a, b.data(), x.data(), r.data());
-    rr = blockwise_sum(n, partial, [&](Index i) { return product(r[i], r[i]); });
+    rr = sum_of(n, [&](Index i) { return product(r[i], r[i]); });
     result.residual = relative(rr);
   });
   return result;
