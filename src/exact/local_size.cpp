@@ -2,12 +2,24 @@
 #include "exact/local_size.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "exact/ranks.h"
+#include "exact/star_levels.h"
 #include "parallel.h"
 
 namespace rimline::exact {
+namespace {
+
+std::array<std::size_t, 3> ranks_among(std::size_t n) { return {n / 4, 5 * n / 8, 3 * n / 4}; }
+
+LocalSize size_of(const std::array<double, 3>& at_ranks) {
+  const auto [lower, typical, upper] = at_ranks;
+  return {typical, (upper - lower) / typical};
+}
+
+}  // namespace
 
 const LocalSize& LocalSizes::at(Index vertex) {
   LocalSize& size = known_[vertex];
@@ -22,26 +34,67 @@ LocalSize LocalSizes::measure(Index vertex, std::vector<double>& radii) const {
   };
   take(vertex);
   for (const Index v : neighbours_.of(vertex, std::min(around, neighbours_.k))) take(v);
-  if (radii.empty()) return {neighbours_.distances_of(vertex)[0], 0};
-  const std::size_t n = radii.size();
-  const auto [lower, typical, upper] = at_ranks(radii, {n / 4, 5 * n / 8, 3 * n / 4});
-  return {typical, (upper - lower) / typical};
+  return radii.empty() ? alone(vertex) : size_of(at_ranks(radii, ranks_among(radii.size())));
+}
+
+LocalSize LocalSizes::alone(Index vertex) const { return {neighbours_.distances_of(vertex)[0], 0}; }
+
+std::span<const Index> LocalSizes::vertices_around(Index vertex, std::vector<Index>& vertices) const {
+  const auto near = neighbours_.of(vertex, std::min(around, neighbours_.k));
+  vertices.assign(1, vertex);
+  vertices.insert(vertices.end(), near.begin(), near.end());
+  return vertices;
 }
 
 void LocalSizes::find(const std::function<bool(Index)>& wanted, const Run& run) {
+  const StarLevels levels(complex_, run);
   parallel_slices(known_.size(), Stage::Loops, run, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> radii;
+    StarLevels::Search search(levels);
+    std::vector<Index> vertices;
     for (Index v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
-      if (known_[v].typical < 0 && wanted(v)) known_[v] = measure(v, radii);
+      if (known_[v].typical >= 0 || !wanted(v)) continue;
+      const std::size_t n = search.take(vertices_around(v, vertices));
+      known_[v] = n == 0 ? alone(v) : size_of(search.radii_at(ranks_among(n)));
     }
   });
+}
+
+void LocalSizes::find_bounds(const std::function<bool(Index)>& wanted, const Run& run) {
+  const StarLevels levels(complex_, run);
+  least_.resize(known_.size());
+  parallel_slices(known_.size(), Stage::Loops, run, [&](std::size_t begin, std::size_t end) {
+    StarLevels::Search search(levels);
+    std::vector<Index> vertices;
+    for (Index v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
+      if (least_[v].typical >= 0 || !wanted(v)) continue;
+      const std::size_t n = search.take(vertices_around(v, vertices));
+      if (n == 0) continue;
+      const auto [lower, typical, upper] = search.levels_at(ranks_among(n));
+      const double spread = (levels.least(upper) - levels.above(lower)) / levels.above(typical);
+      least_[v] = {levels.least(typical), std::max(0.0, spread)};
+    }
+  });
+}
+
+bool LocalSizes::may_exceed(Index triangle, double margin) const {
+  double typical = 0, spread = 0;
+  for (const Index v : complex_.triangle(triangle)) {
+    if (least_[v].typical < 0) return true;
+    typical += least_[v].typical / 3;
+    spread += least_[v].spread / 3;
+  }
+  constexpr double rounding = 1 - 1e-9;
+  const double x = margin + spread;
+  return complex_.radius(triangle) > rounding * typical * (1 + x + x * x / 2);  // e^x is more
 }
 
 void LocalSizes::forget(const std::vector<std::uint8_t>& changed, const Run& run) {
   parallel_for_each(known_.size(), Stage::Loops, run, [&](Index v) {
     bool near = changed[v];
     for (const Index w : neighbours_.of(v, std::min(around, neighbours_.k))) near |= changed[w] != 0;
-    if (near) known_[v] = {};
+    if (!near) return;
+    known_[v] = {};
+    if (!least_.empty()) least_[v] = {};
   });
 }
 

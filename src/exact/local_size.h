@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "exact/complex.h"
@@ -29,6 +30,11 @@ class LocalSizes {
   const LocalSize& at(Index vertex);
   // Computes those of the vertices v for which wanted(v), and forgets none.
   void find(const std::function<bool(Index)>& wanted, const Run& run);
+  // Brackets them, which costs a fraction, for may_exceed().
+  void find_bounds(const std::function<bool(Index)>& wanted, const Run& run);
+  // Whether the log_ratio of a triangle may be more than the margin, not negative, plus its spread, as far
+  // as the bounds at its corners tell. Never false where it is.
+  bool may_exceed(Index triangle, double margin) const;
   // Forgets all that the triangles at the marked vertices had a part in: after these have changed.
   void forget(const std::vector<std::uint8_t>& changed, const Run& run);
   // Median circumradius of the triangles at the vertex alone.
@@ -41,10 +47,13 @@ class LocalSizes {
   static constexpr int around = 16;  // nearest neighbours whose triangles count
 
   LocalSize measure(Index vertex, std::vector<double>& radii) const;
+  LocalSize alone(Index vertex) const;  // of a vertex that has no triangle around it
+  std::span<const Index> vertices_around(Index vertex, std::vector<Index>& vertices) const;
 
   const Complex& complex_;
   const Neighbours& neighbours_;
   std::vector<LocalSize> known_;
+  std::vector<LocalSize> least_;  // not more than those; empty until bounds were asked for
   std::vector<double> radii_;
 };
 

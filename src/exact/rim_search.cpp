@@ -54,12 +54,16 @@ std::vector<Index> first_doubts(const Complex& complex, LocalSizes& sizes,
   parallel_for_each(complex.size(), Stage::Loops, run, [&](Index t) {
     asked[t] = (asked[t] || is_at_rim(complex, t)) && !is_barred(complex.triangle(t));
   });
-  sizes.find(
-      [&](Index v) {
-        const auto star = complex.star(v);
-        return std::any_of(star.begin(), star.end(), [&](Index t) { return asked[t]; });
-      },
-      run);
+  const auto has_asked = [&](Index v) {
+    const auto star = complex.star(v);
+    return std::any_of(star.begin(), star.end(), [&](Index t) { return asked[t]; });
+  };
+  // Among random points most are asked, and bounds tell that most of these are nothing unusual.
+  sizes.find_bounds(has_asked, run);
+  parallel_for_each(complex.size(), Stage::Loops, run, [&](Index t) {
+    asked[t] = asked[t] && (is_at_rim(complex, t) || sizes.may_exceed(t, far_from_usual));
+  });
+  sizes.find(has_asked, run);
   return parallel_gather<Index>(complex.size(), Stage::Loops, run, [&](Index t, std::vector<Index>& found) {
     if (!asked[t]) return;
     const Triangle& x = complex.triangle(t);

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "exact/propose.h"
 #include "exact/ranks.h"
 #include "exact/star.h"
+#include "exact/star_levels.h"
 #include "random.h"
 #include "rimline/neighbours.h"
 
@@ -93,4 +95,55 @@ TEST_CASE("sizes found for all at once, and kept over changes elsewhere, are tho
   CHECK(differences(complex, neighbours, sizes) > 0);
   sizes.forget(changed, {});
   CHECK(differences(complex, neighbours, sizes) == 0);
+}
+
+TEST_CASE(
+    "levels of stars bracket the radii at ranks, and the radii found through them are those of sorting") {
+  const auto points = random_sheet(2000);
+  const Neighbours neighbours = find_neighbours(points, 40, {});
+  const auto frames = fit_frames(points, neighbours, {});
+  const Complex complex = surface_of(points, neighbours, frames);
+  const StarLevels levels(complex, {});
+  StarLevels::Search search(levels);
+  for (Index v = 0; v < complex.vertices(); v += 7) {
+    // From one star to more triangles than a byte can count.
+    const auto vertices = neighbours.of(v, 1 + v % 40);
+    std::vector<Index> all;
+    for (int i = 0; i < (v % 11 == 0 ? 40 : 1); ++i) all.insert(all.end(), vertices.begin(), vertices.end());
+    std::vector<double> sorted;
+    for (const Index w : all) {
+      for (const Index t : complex.star(w)) sorted.push_back(complex.radius(t));
+    }
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t n = search.take(all);
+    REQUIRE(n == sorted.size());
+    if (n == 0) continue;
+    const std::array<std::size_t, 3> ranks{n / 4, 5 * n / 8, n - 1};
+    const auto level = search.levels_at(ranks);
+    const auto radius = search.radii_at(ranks);
+    for (int i = 0; i < 3; ++i) {
+      REQUIRE(radius[i] == sorted[ranks[i]]);
+      REQUIRE(levels.least(level[i]) <= radius[i]);
+      REQUIRE(levels.above(level[i]) > radius[i]);
+    }
+  }
+}
+
+TEST_CASE("bounds of sizes never hide a triangle that is larger than usual, and tell most of the others") {
+  const auto points = random_sheet(3000);
+  const Neighbours neighbours = find_neighbours(points, 40, {});
+  const auto frames = fit_frames(points, neighbours, {});
+  const Complex complex = surface_of(points, neighbours, frames);
+  LocalSizes sizes(complex, neighbours);
+  sizes.find_bounds([](Index v) { return v % 50 != 0; }, {});
+  int hidden = 0, larger = 0, left = 0;
+  for (Index t = 0; t < complex.size(); ++t) {
+    const bool exceeds = sizes.log_ratio(complex.triangle(t)) > 0.1 + sizes.spread(complex.triangle(t));
+    hidden += exceeds && !sizes.may_exceed(t, 0.1);
+    larger += exceeds;
+    left += sizes.may_exceed(t, 0.1);
+  }
+  CHECK(hidden == 0);
+  CHECK(larger > 20);
+  CHECK(left < complex.size() / 4);
 }
