@@ -349,7 +349,8 @@ class Survey {
     };
     for (const Loop& loop : result_.loops) mark(loop.points, 1);
     for (Loop& loop : result_.loops) {
-      const Redrawn drawn = redraw(points_, neighbours_, spacing_, loop.points, normals_along(loop), blur_);
+      const Redrawn drawn =
+          redraw(points_, neighbours_, spacing_, loop.points, normals_along(loop), blur_, run_);
       if (drawn.loop.empty()) continue;
       const double length = loop_length(points_, drawn.loop);
       constexpr double most = 1.3;  // times the length before

@@ -3,15 +3,20 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <tuple>
 #include <unordered_map>
 
 #include "exact/weave.h"
+#include "parallel.h"
 
 namespace rimline::exact {
 namespace {
+
+// Long enough to hide the cost of a task.
+constexpr std::size_t stations_in_task = 32, places_in_task = 512;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -35,18 +40,24 @@ Point unit(Point p) { return (1 / std::max(norm(p), 1e-300)) * p; }
 
 class Curve {
  public:
-  Curve(Points points, const Neighbours& neighbours, const std::vector<double>& spacing)
-      : points_(points), neighbours_(neighbours), spacing_(spacing) {}
+  Curve(Points points, const Neighbours& neighbours, const std::vector<double>& spacing, const Run& run)
+      : points_(points), neighbours_(neighbours), spacing_(spacing), run_(run) {}
 
   // Fits the beads, which ascend by t, by quadratics in t over `window` units to either side. False where
   // they are too few.
   bool fit(const std::vector<Bead>& beads, double period, double window) {
     period_ = period;
     stations_.assign(static_cast<std::size_t>(std::lround(2 * period)), {});
-    for (std::size_t i = 0; i < stations_.size(); ++i) {
-      if (!fit_at(beads, t_of(i), std::min(window, period / 4), stations_[i])) return false;
-    }
-    return true;
+    std::atomic<bool> enough = true;
+    parallel_slices(
+        stations_.size(), Stage::Loops, run_,
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i) {
+            if (!fit_at(beads, t_of(i), std::min(window, period / 4), stations_[i])) enough = false;
+          }
+        },
+        stations_in_task);
+    return enough;
   }
 
   double period() const { return period_; }
@@ -76,30 +87,29 @@ class Curve {
     constexpr double window = 6;         // of t, to either side
     constexpr std::size_t stride = 6;    // from one measure to the next; between them it changes little
     constexpr double least_mean = 0.85;  // of the log ratio: random points have 0.6, scan lines 1.2 or more
-    std::vector<Offset> near;
-    const auto take = [&](double from, double to) {
+    const auto take = [&](double from, double to, std::vector<Offset>& near) {
       auto at = std::lower_bound(offsets.begin(), offsets.end(), from,
                                  [](const auto& x, double t) { return x.first < t; });
       for (; at != offsets.end() && at->first < to; ++at) near.push_back(at->second);
     };
     const double reach = std::min(window, period_ / 2);
-    double sum = 0;
-    for (std::size_t i = 0; i < stations_.size(); ++i) {
-      if (i % stride == 0) {
-        near.clear();
-        for (const double turn : {-period_, 0.0, period_}) {
-          take(t_of(i) + turn - reach, t_of(i) + turn + reach);
-        }
-        const Weave weave = find_weave(near);
-        stations_[i].along_weave = std::sqrt(weave.xx);
-        stations_[i].out_weave = std::sqrt(weave.yy);
-        sum += std::acosh(std::max(1.0, (weave.xx + weave.yy) / 2));  // half the sum of e^ratio and e^-ratio
-      } else {
-        stations_[i].along_weave = stations_[i - 1].along_weave;
-        stations_[i].out_weave = stations_[i - 1].out_weave;
+    std::vector<Weave> weaves((stations_.size() - 1) / stride + 1);
+    parallel_tasks(weaves.size(), Stage::Loops, run_, [&](std::size_t m) {
+      std::vector<Offset> near;
+      for (const double turn : {-period_, 0.0, period_}) {
+        take(t_of(m * stride) + turn - reach, t_of(m * stride) + turn + reach, near);
       }
+      weaves[m] = find_weave(near);
+    });
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      stations_[i].along_weave = std::sqrt(weaves[i / stride].xx);
+      stations_[i].out_weave = std::sqrt(weaves[i / stride].yy);
     }
-    const auto measures = static_cast<double>((stations_.size() - 1) / stride + 1);
+    double sum = 0;
+    for (const Weave& weave : weaves) {
+      sum += std::acosh(std::max(1.0, (weave.xx + weave.yy) / 2));  // half the sum of e^ratio and e^-ratio
+    }
+    const auto measures = static_cast<double>(weaves.size());
     woven_ = sum / measures >= least_mean;
     if (woven_) return;
     for (Station& s : stations_) s.along_weave = s.out_weave = 1;
@@ -166,6 +176,7 @@ class Curve {
   Points points_;
   const Neighbours& neighbours_;
   const std::vector<double>& spacing_;
+  const Run& run_;
   std::vector<Station> stations_;
   double period_ = 0;
   bool woven_ = false;
@@ -183,12 +194,10 @@ struct Place {
 // The points around the beads, from the outermost inwards.
 class Places {
  public:
-  Places(Curve& curve, Points points, const Neighbours& neighbours, const std::vector<Bead>& beads)
+  Places(Curve& curve, Points points, const Neighbours& neighbours, const std::vector<Bead>& beads,
+         const Run& run)
       : curve_(curve), points_(points) {
-    for (const Bead& bead : beads) {
-      look(bead.point, bead.t);
-      for (const Index v : neighbours.of(bead.point)) look(v, bead.t);
-    }
+    look_around(beads, neighbours, run);
     std::erase_if(found_, [](const Place& p) { return p.squared_distance == infinite; });
     for (Place& p : found_) p.t -= curve.period() * std::floor(p.t / curve.period());
     curve.set_weaves(offsets_behind(neighbours));
@@ -230,18 +239,41 @@ class Places {
   }
 
  private:
+  // Finds the places of the beads and of their neighbours.
+  void look_around(const std::vector<Bead>& beads, const Neighbours& neighbours, const Run& run) {
+    std::unordered_map<Index, std::size_t> known;  // position in found_
+    std::vector<std::vector<double>> about;        // the t of each bead that a place is a neighbour of
+    const auto ask = [&](Index point, double t) {
+      const auto [at, is_new] = known.try_emplace(point, found_.size());
+      if (is_new) {
+        found_.push_back({point});
+        about.emplace_back();
+      }
+      about[at->second].push_back(t);
+    };
+    for (const Bead& bead : beads) {
+      ask(bead.point, bead.t);
+      for (const Index v : neighbours.of(bead.point)) ask(v, bead.t);
+    }
+    parallel_slices(
+        found_.size(), Stage::Loops, run,
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i) {
+            for (const double t : about[i]) look(found_[i], t);
+          }
+        },
+        places_in_task);
+  }
+
   // Seeks the nearest station about t, in the sheet of the curve.
-  void look(Index point, double t) {
+  void look(Place& place, double t) const {
     constexpr std::ptrdiff_t reach = 8;  // stations, four spacings
-    const auto [at, is_new] = known_.try_emplace(point, found_.size());
-    if (is_new) found_.push_back({point});
-    Place& place = found_[at->second];
     const auto middle = std::lround(t / curve_.period() * static_cast<double>(curve_.size()));
     const std::ptrdiff_t far = std::min(reach, curve_.size() / 3);
     for (std::ptrdiff_t k = middle - far; k <= middle + far; ++k) {
       const std::size_t i = curve_.wrap(k);
       const Station& s = curve_.station(i);
-      const Point d = points_[point] - s.at;
+      const Point d = points_[place.point] - s.at;
       const double squared = dot(d, d);
       if (squared >= place.squared_distance || std::abs(dot(d, s.normal)) > s.spacing) continue;
       place.squared_distance = squared;
@@ -274,7 +306,6 @@ class Places {
   const Curve& curve_;
   Points points_;
   std::vector<Place> found_;
-  std::unordered_map<Index, std::size_t> known_;  // position in found_, until that is sorted
 };
 
 // Median place of the beads across the curve.
@@ -346,18 +377,19 @@ void shorten(Points points, std::vector<Bead>& loop) {
 }  // namespace
 
 Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
-               const std::vector<Index>& rim, const std::vector<Point>& normals, const Blur& blur) {
+               const std::vector<Index>& rim, const std::vector<Point>& normals, const Blur& blur,
+               const Run& run) {
   constexpr std::size_t shortest = 10;
   constexpr int rounds = 3;  // each fits the curve to the loop of the last
   if (rim.size() < shortest) return {};
   const double window = 4 + 8 * blur.noise;  // the curve must average over more where points scatter more
   std::vector<Bead> beads, on_rim;
   for (std::size_t i = 0; i < rim.size(); ++i) beads.push_back({static_cast<double>(i), rim[i], normals[i]});
-  Curve curve(points, neighbours, spacing);
+  Curve curve(points, neighbours, spacing, run);
   Redrawn result;
   for (int round = 0; round < rounds; ++round) {
     if (!curve.fit(beads, static_cast<double>(rim.size()), window)) return {};
-    const Places places(curve, points, neighbours, beads);
+    const Places places(curve, points, neighbours, beads, run);
     std::size_t count = expected_count(curve, places, row_of(places, beads));
     if (count < shortest || count >= places.found().size()) return {};
     const std::size_t close = curve.woven() ? 0 : beside(count, blur);  // rows are not strewn

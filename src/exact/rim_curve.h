@@ -6,6 +6,7 @@
 
 #include "rimline/neighbours.h"
 #include "rimline/points.h"
+#include "rimline/run.h"
 
 namespace rimline::exact {
 
@@ -35,6 +36,7 @@ struct Redrawn {
 // `rim`: a loop with the surface on its left; `normals`: unit normals of the surface at its points, oriented
 // alike. The rim must be longer than about ten spacings.
 Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
-               const std::vector<Index>& rim, const std::vector<Point>& normals, const Blur& blur);
+               const std::vector<Index>& rim, const std::vector<Point>& normals, const Blur& blur,
+               const Run& run = {});
 
 }  // namespace rimline::exact
