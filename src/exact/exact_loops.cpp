@@ -72,7 +72,7 @@ class Survey {
 
   BoundarySurvey find() {
     search();
-    sheets_ = orient_sheets(complex_, kept_);
+    sheets_ = orient_sheets(complex_, kept_, run_);
     measure_sheets();
     collect_loops();
     classify();

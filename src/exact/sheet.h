@@ -17,8 +17,9 @@ struct Sheets {
 
 // Numbers the components of the kept triangles (two that share an edge are in one) in the order of their
 // first triangles, and turns the triangles of each so that neighbours agree; where that can not be (a Moebius
-// strip) they agree as far as the walk came. The component's mean normal gets a positive z (or y, or x where
-// those before vanish).
-Sheets orient_sheets(Complex& complex, const Kept& kept);
+// strip) they agree as far as a walk from the first comes. Blocks of triangles are walked side by side and
+// joined after; the result does not depend on the blocks. The component's mean normal gets a positive z (or
+// y, or x where those before vanish).
+Sheets orient_sheets(Complex& complex, const Kept& kept, const Run& run = {});
 
 }  // namespace rimline::exact
