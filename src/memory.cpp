@@ -19,7 +19,7 @@ constexpr double refine_bytes = 780;       // mesh, system, multigrid
 constexpr double measure_bytes = 500;
 constexpr double solve_bytes = 500, solve_neighbour_bytes = 95;  // of eq. (4) and what BiCGSTAB needs
 constexpr double triangulate_bytes = 250;
-constexpr double factor_bytes = 170;  // of the factor of a free map, times log2 of the points
+constexpr double factor_bytes = 230;  // of the system of a free map and its factor, times log2 of the points
 constexpr double fixed_bytes = 32e6;  // the program itself
 constexpr double neighbour_bytes = sizeof(Index) + sizeof(double);
 

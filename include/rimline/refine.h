@@ -51,8 +51,8 @@ struct Patch {
   std::vector<HoleFill> fills;      // their triangles are the last ones, fill after fill
   std::vector<Point> added;         // vertices of the fills; their ids follow those of the points
   std::vector<RefineRound> rounds;
-  Domain domain = Domain::Disc;  // where uv lies: the disc, scaled to the surface's area, where Domain::Free
-                                 // would have left flips or an outline that crosses itself
+  Domain domain = Domain::Disc;  // where uv lies: the disc, scaled to the surface's area, where no free map
+                                 // without flips was found, the disc's having some itself
   MapSummary map;                // the last system
   std::size_t uv_flips = 0;      // triangles not counter-clockwise in uv: 0 but for maps that double
                                  // precision can not hold

@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "fill/fill_holes.h"
+#include "map/conformal_descent.h"
 #include "map/domain.h"
 #include "map/embed.h"
 #include "map/free_map.h"
+#include "map/outline_crossings.h"
 #include "map/pinches.h"
 #include "map/refine_patch.h"
 #include "map/survey_mesh.h"
@@ -159,12 +161,12 @@ class Refiner {
   void map_to_domain(Patch& patch) {
     const std::vector<Index>& outer = loops_.front().points;
     if (options_.domain == Domain::Free) {
-      if (map_freely(false, patch) || (loops_.size() > 1 && map_freely(true, patch))) return;
+      if (map_freely(patch)) return;
     } else if (options_.domain != Domain::Disc) {
       place_outline(points_, outer, options_.domain, options_.corners, uv_);
     }
     map_to_outline(patch);
-    if (options_.domain == Domain::Free) scale_to_area(points_, mesh_, uv_);
+    if (options_.domain == Domain::Free) let_go(patch);
   }
 
   // The outline as uv_ has it.
@@ -177,20 +179,40 @@ class Refiner {
     patch.evened = embedding.evened;
   }
 
-  // Holes may turn inside out in a free map; `capped` closes each by a fan about its centre. False, and uv_
-  // as it was, where triangles flip or the outline crosses itself.
-  bool map_freely(bool capped, Patch& patch) {
-    std::vector<Point> points(points_.begin(), points_.end());
-    Triangulation mesh = mesh_;
-    if (capped) add_caps(loops_, points, mesh);
-    std::vector<UV> uv(points.size());
-    patch.map = free_map(points, mesh, loops_.front().points, uv, run_);
-    patch.uv_flips = unflip(mesh_, uv, run_);
-    if (patch.uv_flips > 0 || count_crossings(loops_.front().points, uv) > 0) return false;
+  // Least squares, which may turn triangles over where the mesh folds, or leave them all but flat in uv, and
+  // may cross the outline. False, and uv_ as it was, where it does.
+  bool map_freely(Patch& patch) {
+    constexpr double flat = 1.05, little = 1e-3;
+    for (const double least : {0.0, little}) {  // then no inner edge without a weight
+      std::vector<UV> uv;
+      const MapSummary map = free_map(points_, mesh_, loops_.front().points, least, uv, run_);
+      if (!flipped_triangles(mesh_.triangles, uv, run_).empty()) continue;
+      if (!crossing_points(loops_, uv).empty() || conformal_distortion(points_, mesh_, uv) > flat)
+        return false;
+      patch.map = map;
+      patch.uv_flips = 0;
+      take_free(std::move(uv), patch);
+      return true;
+    }
+    return false;
+  }
+
+  // From the disc's map, which has no flips and no crossings, by steps that make none.
+  void let_go(Patch& patch) {
+    std::vector<UV> uv(uv_.begin(), uv_.begin() + static_cast<std::ptrdiff_t>(points_.size()));
+    if (patch.uv_flips == 0 && relax_conformally(points_, mesh_, loops_, uv, run_) > 0) {
+      take_free(std::move(uv), patch);
+    } else {
+      scale_to_area(points_, mesh_, uv_);
+    }
+  }
+
+  void take_free(std::vector<UV> uv, Patch& patch) {
     patch.domain = Domain::Free;
+    lay_level(points_, loops_.front().points, uv);
+    scale_to_area(points_, mesh_, uv);
     uv.resize(uv_.size());
     uv_ = std::move(uv);
-    return true;
   }
 
   const Stars& stars() {

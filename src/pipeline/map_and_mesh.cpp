@@ -49,8 +49,8 @@ void report_patch(Report& report, const PatchReport& patch, Domain wanted) {
   }
   if (patch.failure.empty() && patch.domain != wanted) {
     report.warnings.push_back(
-        fmt::format("component {} has the disc's map, at the area of the surface: the free one would leave "
-                    "triangles turned over or an outline that crosses itself",
+        fmt::format("component {} has the disc's map, at the area of the surface: that map has triangles "
+                    "turned over already, from which no way leads to a free one",
                     at));
   }
   if (!patch.failure.empty()) {

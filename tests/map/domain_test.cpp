@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "map/embed.h"
-#include "map/free_map.h"
 
 namespace rimline {
 namespace {
@@ -100,23 +99,6 @@ TEST_CASE("corners that are not on the loop, or not four, are refused") {
   const std::array<Index, 4> inside{0, 7, 63, 9}, twice{0, 7, 7, 56};
   CHECK_THROWS_AS(place_outline(sheet.points, sheet.loops[0].points, Domain::Square, inside, uv), Error);
   CHECK_THROWS_AS(place_outline(sheet.points, sheet.loops[0].points, Domain::Square, twice, uv), Error);
-}
-
-TEST_CASE("crossings of a polygon are counted, touching ends of neighbours are none") {
-  const std::vector<UV> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  CHECK(count_crossings({0, 1, 2, 3}, square) == 0);
-  CHECK(count_crossings({0, 2, 1, 3}, square) == 1);  // an hourglass
-}
-
-TEST_CASE("a vertex dragged over its neighbours is put back among them") {
-  const Sheet sheet = make_sheet(9, 9, 0);
-  const Patch patch = refine(sheet, Domain::Free);
-  const Triangulation mesh = triangulation_of(patch.triangles, 81);
-  std::vector<UV> uv = patch.uv;
-  uv[40].u += 2.5;
-  REQUIRE_FALSE(flipped_triangles(mesh.triangles, uv, {}).empty());
-  CHECK(unflip(mesh, uv, {}) == 0);
-  CHECK(flipped_triangles(mesh.triangles, uv, {}).empty());
 }
 
 }  // namespace rimline

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/conformal_descent.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "map/embed.h"
+#include "map/free_map.h"
+#include "map/outline_crossings.h"
+#include "rimline/refine.h"
+
+namespace rimline {
+namespace {
+
+struct Strip {
+  std::vector<Point> points;
+  Triangulation mesh;
+  std::vector<Loop> loops;
+};
+
+// A strip that winds about the axis, rising a little: laid flat it lies over itself where it turns more than
+// once.
+Strip make_winding(double turns) {
+  constexpr int across = 5;
+  const int along = static_cast<int>(40 * turns);
+  Strip strip;
+  std::vector<Triangle> triangles;
+  for (int i = 0; i <= along; ++i) {
+    const double angle = 2 * std::numbers::pi * turns * i / along;
+    for (int j = 0; j < across; ++j) {
+      const double radius = 3 + 0.4 * j;
+      strip.points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.2 * angle});
+    }
+  }
+  for (Index i = 0; i < along; ++i) {
+    for (Index j = 0; j + 1 < across; ++j) {
+      const Index a = i * across + j;
+      triangles.push_back({a, a + 1, a + across + 1});
+      triangles.push_back({a, a + across + 1, a + across});
+    }
+  }
+  strip.mesh = triangulation_of(triangles, static_cast<Index>(strip.points.size()));
+  Loop loop;
+  for (Index j = 0; j < across; ++j) loop.points.push_back(j);
+  for (Index i = 1; i <= along; ++i) loop.points.push_back(i * across + across - 1);
+  for (Index j = across - 2; j >= 0; --j) loop.points.push_back(along * across + j);
+  for (Index i = along - 1; i > 0; --i) loop.points.push_back(i * across);
+  strip.loops = {loop};
+  return strip;
+}
+
+}  // namespace
+
+TEST_CASE("a strip that would lie over itself is laid beside itself, with little distortion") {
+  const Strip strip = make_winding(1.4);
+  std::vector<UV> overlapping;
+  free_map(strip.points, strip.mesh, strip.loops[0].points, 0, overlapping, {});
+  REQUIRE_FALSE(crossing_points(strip.loops, overlapping).empty());
+
+  RefineOptions options;
+  options.domain = Domain::Free;
+  const Patch patch =
+      refine_patch(strip.points, find_neighbours(strip.points, 20, {}), strip.loops, options, {});
+  CHECK(patch.domain == Domain::Free);
+  CHECK(patch.uv_flips == 0);
+  CHECK(flipped_triangles(patch.triangles, patch.uv, {}).empty());
+  CHECK(crossing_points(strip.loops, patch.uv).empty());
+  const Triangulation mesh = triangulation_of(patch.triangles, static_cast<Index>(strip.points.size()));
+  CHECK(conformal_distortion(strip.points, mesh, patch.uv) < 1.02);
+}
+
+TEST_CASE("a descent from the disc ends where least squares do, where these do not cross") {
+  const Strip strip = make_winding(0.6);
+  std::vector<UV> straight;
+  free_map(strip.points, strip.mesh, strip.loops[0].points, 0, straight, {});
+  REQUIRE(crossing_points(strip.loops, straight).empty());
+  RefineOptions options;
+  const Patch disc =
+      refine_patch(strip.points, find_neighbours(strip.points, 20, {}), strip.loops, options, {});
+  const Triangulation mesh = triangulation_of(disc.triangles, static_cast<Index>(strip.points.size()));
+  std::vector<UV> uv = disc.uv;
+  CHECK(conformal_distortion(strip.points, mesh, uv) > 1.1);
+  CHECK(relax_conformally(strip.points, mesh, strip.loops, uv, {}) > 0);
+  CHECK(conformal_distortion(strip.points, mesh, uv) < 1.001);
+  CHECK(flipped_triangles(disc.triangles, uv, {}).empty());
+}
+
+TEST_CASE("a map with a triangle turned over is left as it is") {
+  const Strip strip = make_winding(0.5);
+  std::vector<UV> uv;
+  free_map(strip.points, strip.mesh, strip.loops[0].points, 0, uv, {});
+  uv[7] = {uv[7].u + 100, uv[7].v};
+  const std::vector<UV> before = uv;
+  CHECK(relax_conformally(strip.points, strip.mesh, strip.loops, uv, {}) == 0);
+  CHECK(uv == before);
+}
+
+}  // namespace rimline
