@@ -2,9 +2,11 @@
 #include "exact/star.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 #include "parallel.h"
@@ -27,13 +29,14 @@ double tie_weight(Point p, double spacing) {
 // several at once.
 class Cell {
  public:
+  Cell() { reserve(few); }
+
   // A square.
   void reset(double half_width) {
-    reserve(4);
     count_ = 4;
     constexpr double x[] = {-1, 1, 1, -1}, y[] = {-1, -1, 1, 1};
     for (int i = 0; i < 4; ++i) now_.put(i, half_width * x[i], half_width * y[i], none);
-    measure();
+    radius_squared_ = 2 * half_width * half_width;
   }
 
   double radius_squared() const { return radius_squared_; }
@@ -41,27 +44,28 @@ class Cell {
 
   // Keeps a x + b y <= c.
   void cut(double a, double b, double c, Index side) {
-    for (std::size_t i = 0; i < count_; ++i) beyond_[i] = a * now_.x[i] + b * now_.y[i] - c;
-    double farthest = beyond_[0];
-    for (std::size_t i = 1; i < count_; ++i) farthest = std::max(farthest, beyond_[i]);
-    if (!(farthest > 0)) return;
-    reserve(count_ + 2);
-    std::size_t next = 0;
+    if (count_ > few) return cut_many(a, b, c, side);
+    std::uint32_t beyond = 0;  // a bit for each corner that goes
     for (std::size_t i = 0; i < count_; ++i) {
-      const std::size_t j = i + 1 < count_ ? i + 1 : 0;
-      const double at_i = beyond_[i], at_j = beyond_[j];
-      if (at_i <= 0) next_.put(next++, now_.x[i], now_.y[i], now_.side[i]);
-      if ((at_i <= 0) == (at_j <= 0)) continue;
-      const double t = at_i / (at_i - at_j);
-      next_.put(next++, now_.x[i] + t * (now_.x[j] - now_.x[i]), now_.y[i] + t * (now_.y[j] - now_.y[i]),
-                at_i <= 0 ? side : now_.side[i]);
+      beyond_[i] = a * now_.x[i] + b * now_.y[i] - c;
+      beyond |= static_cast<std::uint32_t>(beyond_[i] > 0) << i;
     }
-    count_ = next;
-    std::swap(now_, next_);
-    measure();
+    if (beyond == 0) return;
+    const std::uint32_t all = (std::uint32_t{1} << count_) - 1;
+    const std::uint32_t before = beyond << 1 | beyond >> (count_ - 1);  // the bit of the corner before each
+    const std::uint32_t first = beyond & ~before & all, kept = before & ~beyond & all;
+    // Corners in a row go; all of them, or several rows, where rounding bends a side.
+    if (first != 0 && (first & (first - 1)) == 0) {
+      cut_row(static_cast<std::size_t>(std::countr_zero(first)),
+              static_cast<std::size_t>(std::countr_zero(kept)), side);
+    } else {
+      clip(side);
+    }
   }
 
  private:
+  static constexpr std::size_t few = 16;  // corners of nearly all cells
+
   struct Corners {
     std::vector<double> x, y;
     std::vector<Index> side;
@@ -69,12 +73,91 @@ class Cell {
     void put(std::size_t i, double at_x, double at_y, Index leaving) {
       x[i] = at_x, y[i] = at_y, side[i] = leaving;
     }
+    // Moves the corners from one place on to another: always as many, which spares a loop of unknown length.
+    void move(std::size_t from, std::size_t to) {
+      move_few(x.data() + from, x.data() + to);
+      move_few(y.data() + from, y.data() + to);
+      move_few(side.data() + from, side.data() + to);
+    }
+    template <class Item>
+    static void move_few(const Item* from, Item* to) {
+      Item items[few];
+      std::memcpy(items, from, sizeof(items));
+      std::memcpy(to, items, sizeof(items));
+    }
+  };
+  struct Corner {
+    double x, y;
   };
 
-  // Rounding may bend a side, so that a cut could add more than one corner: twice as many are room enough.
+  // Where the bisector meets the side from corner i to corner j.
+  Corner meet(std::size_t i, std::size_t j) const {
+    const double t = beyond_[i] / (beyond_[i] - beyond_[j]);
+    return {now_.x[i] + t * (now_.x[j] - now_.x[i]), now_.y[i] + t * (now_.y[j] - now_.y[i])};
+  }
+
+  // Cuts off the corners from `first` to the one before `kept`, by way of corner 0 where `kept` is not above.
+  void cut_row(std::size_t first, std::size_t kept, Index side) {
+    const std::size_t before = first == 0 ? count_ - 1 : first - 1, last = kept == 0 ? count_ - 1 : kept - 1;
+    const Corner in = meet(before, first), out = meet(last, kept);
+    const Index out_side = now_.side[last];
+    if (first < kept) {
+      const std::size_t row = kept - first;
+      if (first == 0) {  // both new corners lie between the last one and the first that is kept
+        now_.move(kept, 1);
+        now_.put(0, out.x, out.y, out_side);
+        now_.put(count_ - row + 1, in.x, in.y, side);
+      } else {
+        now_.move(kept, first + 2);
+        now_.put(first, in.x, in.y, side);
+        now_.put(first + 1, out.x, out.y, out_side);
+      }
+      count_ = count_ - row + 2;
+    } else {
+      now_.move(kept, kept == 0 ? 0 : 1);
+      if (kept != 0) now_.put(0, out.x, out.y, out_side);
+      count_ = first - kept + 2;
+      if (kept == 0) {
+        now_.put(count_ - 2, in.x, in.y, side);
+        now_.put(count_ - 1, out.x, out.y, out_side);
+      } else {
+        now_.put(count_ - 1, in.x, in.y, side);
+      }
+    }
+    reserve(count_);
+    measure();
+  }
+
+  // The same as cut(), for any number of corners.
+  void cut_many(double a, double b, double c, Index side) {
+    double farthest = a * now_.x[0] + b * now_.y[0] - c;
+    for (std::size_t i = 0; i < count_; ++i) {
+      beyond_[i] = a * now_.x[i] + b * now_.y[i] - c;
+      farthest = std::max(farthest, beyond_[i]);
+    }
+    if (farthest > 0) clip(side);
+  }
+
+  // Whichever corners go.
+  void clip(Index side) {
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const std::size_t j = i + 1 < count_ ? i + 1 : 0;
+      if (beyond_[i] <= 0) next_.put(next++, now_.x[i], now_.y[i], now_.side[i]);
+      if ((beyond_[i] <= 0) == (beyond_[j] <= 0)) continue;
+      const Corner corner = meet(i, j);
+      next_.put(next++, corner.x, corner.y, beyond_[i] <= 0 ? side : now_.side[i]);
+    }
+    count_ = next;
+    std::swap(now_, next_);
+    reserve(count_);
+    measure();
+  }
+
+  // Room for any cut of that many corners: where rounding bends sides it may add half as many.
   void reserve(std::size_t count) {
-    if (beyond_.size() >= 2 * count) return;
-    beyond_.resize(4 * count);
+    if (beyond_.size() >= 2 * count + few) return;
+    beyond_.resize(4 * count + few);
     for (Corners* corners : {&now_, &next_}) {
       corners->x.resize(beyond_.size());
       corners->y.resize(beyond_.size());
@@ -94,6 +177,14 @@ class Cell {
   double radius_squared_ = 0;
 };
 
+// The bisectors of a point and a few others, in its tangent plane: those (x, y) with a x + b y = c.
+struct Bisectors {
+  static constexpr std::size_t most = 8;
+  std::array<double, most> a, b, c;
+  std::array<double, most> squared;  // distance of the other point
+  std::array<double, most> steep;    // not negative where it is on another sheet
+};
+
 class StarFinder {
  public:
   StarFinder(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
@@ -108,28 +199,52 @@ class StarFinder {
   bool cut_by_own(Cell& cell, Index self) const {
     constexpr double half_width = 20;  // spacings: far beyond any triangle that can be kept
     cell.reset(half_width * spacing_[self]);
-    for (const Index other : neighbours_.of(self)) {
-      if (!cut(cell, self, other)) return true;
+    return cut_by(cell, self, neighbours_.of(self));
+  }
+
+  // The same with others, nearest first.
+  bool cut_by(Cell& cell, Index self, std::span<const Index> others) const {
+    for (; !others.empty(); others = others.subspan(std::min(Bisectors::most, others.size()))) {
+      const std::size_t count = std::min(Bisectors::most, others.size());
+      const Bisectors bisectors = bisectors_of(self, others.first(count));
+      for (std::size_t i = 0; i < count; ++i) {
+        if (bisectors.squared[i] > 4 * cell.radius_squared()) return true;
+        if (bisectors.steep[i] > 0) continue;
+        cell.cut(bisectors.a[i], bisectors.b[i], bisectors.c[i], others[i]);
+      }
     }
     return false;
   }
 
-  // Returns false where the other is too far for its bisector to reach the cell.
-  bool cut(Cell& cell, Index self, Index other) const {
+ private:
+  // Several at once, for the roots and quotients of one wait for those of no other.
+  Bisectors bisectors_of(Index self, std::span<const Index> others) const {
     constexpr double steepest = 0.75;  // squared sine of 60 degrees: steeper is another sheet
     const Frame& frame = frames_[self];
-    const Point d = points_[other] - points_[self];
-    const double squared = dot(d, d);
-    if (squared > 4 * cell.radius_squared()) return false;
-    const double height = dot(d, frame.normal);
-    if (height * height > steepest * squared) return true;
-    const double x = dot(d, frame.u), y = dot(d, frame.v);
-    const double scale = std::sqrt(squared / (x * x + y * y));  // the true distance, as if rolled out
-    cell.cut(scale * x, scale * y, 0.5 * (squared + weight_[self] - weight_[other]), other);
-    return true;
+    const Point p = points_[self];
+    std::array<double, Bisectors::most> x, y, z, weight;
+    for (std::size_t i = 0; i < Bisectors::most; ++i) {
+      const Index other = others[std::min(i, others.size() - 1)];
+      const Point d = points_[other] - p;
+      x[i] = d.x, y[i] = d.y, z[i] = d.z;
+      weight[i] = weight_[other];
+    }
+    Bisectors result;
+    for (std::size_t i = 0; i < Bisectors::most; ++i) {
+      const double squared = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+      const double height = x[i] * frame.normal.x + y[i] * frame.normal.y + z[i] * frame.normal.z;
+      const double u = x[i] * frame.u.x + y[i] * frame.u.y + z[i] * frame.u.z;
+      const double v = x[i] * frame.v.x + y[i] * frame.v.y + z[i] * frame.v.z;
+      const double scale = std::sqrt(squared / (u * u + v * v));  // the true distance, as if rolled out
+      result.a[i] = scale * u;
+      result.b[i] = scale * v;
+      result.c[i] = 0.5 * (squared + weight_[self] - weight[i]);
+      result.squared[i] = squared;
+      result.steep[i] = height * height - steepest * squared;
+    }
+    return result;
   }
 
- private:
   Points points_;
   const Neighbours& neighbours_;
   const std::vector<double>& spacing_;
@@ -211,7 +326,8 @@ Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<
     for (const Index i : row.open) {
       finder.cut_by_own(cell, i);
       auto other = std::lower_bound(one_way.begin(), one_way.end(), OneWay{i, 0});
-      for (; other != one_way.end() && other->first == i; ++other) finder.cut(cell, i, other->second);
+      for (; other != one_way.end() && other->first == i; ++other)
+        finder.cut_by(cell, i, {&other->second, 1});
       append_star(cell, open_rows[first / points_in_row].ids);
       size[i] = static_cast<std::uint32_t>(cell.sides().size());
     }
