@@ -2,24 +2,40 @@
 #include "exact/frame.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 
 #include "parallel.h"
 
 namespace rimline::exact {
 namespace {
 
-Eigen::Vector3d to_eigen(Point p) { return {p.x, p.y, p.z}; }
 Point from_eigen(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
+// Of the points and the one they are the neighbours of: sums of squares, only the lower triangle of which is
+// read.
 Eigen::Matrix3d covariance(Points points, Index self, std::span<const Index> ids) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Index id : ids) mean += to_eigen(points[id] - points[self]);
-  mean /= static_cast<double>(ids.size() + 1);
-  Eigen::Matrix3d sum = mean * mean.transpose();
-  for (const Index id : ids) {
-    const Eigen::Vector3d d = to_eigen(points[id] - points[self]) - mean;
-    sum += d * d.transpose();
+  constexpr std::size_t most = 40;
+  const Point p = points[self];
+  std::array<Point, most> room;
+  std::vector<Point> more;
+  Point* const offset = ids.size() <= most ? room.data() : (more.resize(ids.size()), more.data());
+  Point mean;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    offset[i] = points[ids[i]] - p;
+    mean = mean + offset[i];
   }
+  const double count = static_cast<double>(ids.size() + 1);
+  mean = {mean.x / count, mean.y / count, mean.z / count};
+  double xx = mean.x * mean.x, xy = mean.x * mean.y, xz = mean.x * mean.z;
+  double yy = mean.y * mean.y, yz = mean.y * mean.z, zz = mean.z * mean.z;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Point d = offset[i] - mean;
+    xx += d.x * d.x, xy += d.x * d.y, xz += d.x * d.z;
+    yy += d.y * d.y, yz += d.y * d.z, zz += d.z * d.z;
+  }
+  Eigen::Matrix3d sum;
+  sum << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   return sum;
 }
 
