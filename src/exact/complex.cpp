@@ -2,7 +2,6 @@
 #include "exact/complex.h"
 
 #include <algorithm>
-#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -17,7 +16,7 @@ double circumradius(Point a, Point b, Point c) {
   return distance(a, b) * distance(b, c) * distance(c, a) / (2 * twice_area);
 }
 
-Complex::AtVertices::AtVertices(const Stars& stars) : places_(stars.size()) {
+Complex::AtVertices::AtVertices(const Stars& stars) : stars_(stars), places_(stars.size()) {
   for (std::size_t v = 0; v < stars.size(); ++v) {
     const auto room = static_cast<std::uint32_t>(stars[v].size());
     places_[v] = {stars.start(v), room, room};
@@ -33,8 +32,8 @@ void Complex::start_with(std::vector<Triangle> triangles, std::vector<double> ra
   at_vertex_ = std::move(at.ids_);
   beside_.resize(triangles_.size(), {none, none, none});
   parallel_for_each(stars_.size(), Stage::Boundary, run, [&](Index v) {
+    link_at_vertex(v, at.stars_[v]);
     gather_at_vertex(v);
-    link_at_vertex(v);
   });
 }
 
@@ -47,29 +46,15 @@ void Complex::gather_at_vertex(Index vertex) {
   place.count = static_cast<std::uint32_t>(last - first);
 }
 
-// Links the triangles on both sides of each edge to a vertex of higher id, which no other vertex does.
-void Complex::link_at_vertex(Index vertex) {
-  struct Side {
-    Index other, triangle;
-    int edge;
-  };
-  boost::container::small_vector<Side, 24> open;
-  for (const Index t : star(vertex)) {
-    for (int i = 0; i < 3; ++i) {
-      const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
-      if (std::min(a, b) != vertex) continue;
-      const Index other = std::max(a, b);
-      const auto met =
-          std::find_if(open.begin(), open.end(), [&](const Side& s) { return s.other == other; });
-      if (met == open.end()) {
-        open.push_back({other, t, i});
-      } else {
-        beside_[t][i] = met->triangle;
-        beside_[met->triangle][met->edge] = t;
-        *met = open.back();
-        open.pop_back();
-      }
-    }
+// Links the triangles on both sides of each edge to a vertex of higher id, which no other vertex does. Two
+// with a common edge here are at corners that follow each other in the star.
+void Complex::link_at_vertex(Index vertex, Star star) {
+  const Index* at = at_vertex_.data() + stars_[vertex].first;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const std::size_t next = i + 1 < star.size() ? i + 1 : 0;
+    if (star[next] < vertex || at[i] == none || at[next] == none || i == next) continue;
+    beside_[at[i]][edge_of(at[i], vertex, star[next])] = at[next];
+    beside_[at[next]][edge_of(at[next], vertex, star[next])] = at[i];
   }
 }
 

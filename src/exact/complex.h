@@ -44,7 +44,7 @@ class Complex {
     return {at_vertex_.data() + stars_[vertex].first, stars_[vertex].count};
   }
 
-  // The triangles at each vertex, one for each place of its star at most.
+  // The triangles at each vertex, one for each place of its star at most. The stars must outlive it.
   class AtVertices {
    public:
     explicit AtVertices(const Stars& stars);
@@ -55,6 +55,7 @@ class Complex {
 
    private:
     friend class Complex;
+    const Stars& stars_;
     std::vector<Place> places_;
     std::vector<Index> ids_;
   };
@@ -91,7 +92,7 @@ class Complex {
   }
   void put_at_vertex(Index vertex, Index triangle);
   void gather_at_vertex(Index vertex);
-  void link_at_vertex(Index vertex);
+  void link_at_vertex(Index vertex, Star star);
   bool folds_back(Index a, Index b, Index c, Index d) const;
   bool fits_around(Index vertex, Index a, Index b) const;
   bool closes_beside_others(Index vertex, Index a, Index b) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <queue>
 #include <tuple>
@@ -24,8 +25,21 @@ constexpr std::uint32_t nowhere = ~std::uint32_t{0};
 
 // The place in a star of the corner between a and b, in either order.
 std::uint32_t corner_between(Star star, Index a, Index b) {
-  for (std::size_t i = 0; i < star.size(); ++i) {
-    const Index x = star[i], y = star[i + 1 < star.size() ? i + 1 : 0];
+  constexpr std::size_t most = 32;
+  const std::size_t count = star.size();
+  std::uint32_t is_a = 0;  // a bit for each place
+  for (std::size_t i = 0; i < std::min(count, most); ++i) {
+    is_a |= static_cast<std::uint32_t>(star[i] == a) << i;
+  }
+  if (is_a == 0 && count <= most) return nowhere;
+  if ((is_a & (is_a - 1)) == 0 && count > 2 && count <= most) {
+    const std::size_t at = static_cast<std::size_t>(std::countr_zero(is_a));
+    const std::size_t before = at == 0 ? count - 1 : at - 1, after = at + 1 == count ? 0 : at + 1;
+    if (star[after] == b) return static_cast<std::uint32_t>(at);
+    return star[before] == b ? static_cast<std::uint32_t>(before) : nowhere;
+  }
+  for (std::size_t i = 0; i < count; ++i) {  // two or fewer in the star, or too many, or one of them twice
+    const Index x = star[i], y = star[i + 1 < count ? i + 1 : 0];
     if ((x == a && y == b) || (x == b && y == a)) return static_cast<std::uint32_t>(i);
   }
   return nowhere;
@@ -53,9 +67,13 @@ void read_star(const Complex& complex, const Stars& stars, const std::vector<dou
   for (std::size_t i = 0; i < star.size(); ++i) {
     const Index a = star[i], b = star[i + 1 < star.size() ? i + 1 : 0];
     if (a == none || b == none) continue;
-    const std::uint32_t in_a = corner_between(stars[a], b, v), in_b = corner_between(stars[b], v, a);
+    // Where one of lower id names the triangle too, it was met before.
+    std::uint32_t in_a = nowhere, in_b = nowhere;
+    if (a < v && (in_a = corner_between(stars[a], v, b)) != nowhere) continue;
+    if (b < v && (in_b = corner_between(stars[b], v, a)) != nowhere) continue;
+    if (a > v) in_a = corner_between(stars[a], v, b);
+    if (b > v) in_b = corner_between(stars[b], v, a);
     const bool by_a = in_a != nowhere, by_b = in_b != nowhere;
-    if ((by_a && a < v) || (by_b && b < v)) continue;  // met before
     const double radius = circumradius(p[v], p[a], p[b]);
     const double size = radius / std::max({spacing[v], spacing[a], spacing[b]});
     if (size > largest) continue;
@@ -72,6 +90,7 @@ std::vector<Row> read_stars(const Complex& complex, const Stars& stars, const st
   std::vector<Row> rows((stars.size() + points_in_row - 1) / points_in_row);
   parallel_tasks(rows.size(), Stage::Boundary, run, [&](std::size_t r) {
     const std::size_t end = std::min(stars.size(), (r + 1) * points_in_row);
+    rows[r].agreed.reserve(9 * points_in_row / 4);  // a surface has two triangles a point
     for (std::size_t v = r * points_in_row; v < end; ++v) {
       read_star(complex, stars, spacing, largest, static_cast<Index>(v), rows[r]);
     }
