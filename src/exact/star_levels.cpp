@@ -36,6 +36,16 @@ int middle_step(const Complex& complex) {
   return *middle;
 }
 
+// Of the lanes. Pairs of neighbouring bytes are added in words first, so that nothing runs over.
+std::size_t sum_of(const Block& lanes) {
+  constexpr std::uint64_t even = 0x00ff00ff00ff00ff, ones = 0x0001000100010001;
+  std::uint64_t half[2];
+  std::memcpy(half, &lanes, block);
+  const std::uint64_t pairs =
+      (half[0] & even) + (half[0] >> 8 & even) + (half[1] & even) + (half[1] >> 8 & even);
+  return pairs * ones >> 48;
+}
+
 }  // namespace
 
 StarLevels::StarLevels(const Complex& complex, const Run& run)
@@ -77,35 +87,52 @@ std::size_t StarLevels::Search::take(std::span<const Index> vertices) {
 
 // How many are at a lower level than this one.
 std::size_t StarLevels::Search::count_below(int level) const {
+  return counts_below({level, level, level})[0];
+}
+
+// The same for three levels at once.
+std::array<std::size_t, 3> StarLevels::Search::counts_below(const std::array<int, 3>& levels) const {
+  std::array<std::size_t, 3> counts;
   if (size_ > most_triangles) {
-    return static_cast<std::size_t>(std::count_if(level_.begin(), level_.begin() + size_,
-                                                  [&](std::uint8_t other) { return other < level; }));
+    for (int r = 0; r < 3; ++r) {
+      counts[r] = static_cast<std::size_t>(std::count_if(
+          level_.begin(), level_.begin() + size_, [&](std::uint8_t other) { return other < levels[r]; }));
+    }
+    return counts;
   }
-  const Block limit = Block{} + static_cast<std::uint8_t>(level);
-  Block sum{};
+  const Block limit0 = Block{} + static_cast<std::uint8_t>(levels[0]);
+  const Block limit1 = Block{} + static_cast<std::uint8_t>(levels[1]);
+  const Block limit2 = Block{} + static_cast<std::uint8_t>(levels[2]);
+  Block sum0{}, sum1{}, sum2{};
   for (std::size_t i = 0; i < size_; i += block) {
     Block values;
     std::memcpy(&values, level_.data() + i, block);
-    sum -= reinterpret_cast<Block>(values < limit);  // -1 where true
+    sum0 -= reinterpret_cast<Block>(values < limit0);  // -1 where true
+    sum1 -= reinterpret_cast<Block>(values < limit1);
+    sum2 -= reinterpret_cast<Block>(values < limit2);
   }
-  std::size_t count = 0;
-  for (std::size_t lane = 0; lane < block; ++lane) count += sum[lane];
-  return count;
+  return {sum_of(sum0), sum_of(sum1), sum_of(sum2)};
 }
 
 // The level at a rank has at most `rank` below it, and the next one more. It is near the one found for the
 // vertex before, with which most stars are shared.
 std::array<int, 3> StarLevels::Search::levels_at(const std::array<std::size_t, 3>& ranks) {
-  for (std::size_t r = 0; r < 3; ++r) {
-    int& level = last_[r];
-    if (count_below(level) > ranks[r]) {
-      do --level;
-      while (count_below(level) > ranks[r]);
-    } else {
-      while (level < last_level && count_below(level + 1) <= ranks[r]) ++level;
-    }
+  const auto too_many = counts_below(last_);
+  for (int r = 0; r < 3; ++r) {
+    if (too_many[r] <= ranks[r]) continue;
+    do --last_[r];
+    while (count_below(last_[r]) > ranks[r]);
   }
-  return last_;
+  for (;;) {
+    const auto enough = counts_below({last_[0] + 1, last_[1] + 1, last_[2] + 1});
+    bool moved = false;
+    for (int r = 0; r < 3; ++r) {
+      if (enough[r] > ranks[r] || last_[r] == last_level) continue;
+      ++last_[r];
+      moved = true;
+    }
+    if (!moved) return last_;
+  }
 }
 
 // Sorts the radii of one level.

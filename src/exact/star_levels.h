@@ -39,6 +39,7 @@ class StarLevels {
 
    private:
     std::size_t count_below(int level) const;
+    std::array<std::size_t, 3> counts_below(const std::array<int, 3>& levels) const;
     void gather(int level);
 
     const StarLevels& levels_;
