@@ -96,7 +96,9 @@ Corners::Turns Corners::turns(std::size_t slot, const Kept& kept) const {
       }
       const bool ends = i + 1 == size || !kept[corners_[fan.first + (begin + i + 1) % size].triangle];
       if (!ends) continue;
-      const double between = std::abs(std::remainder(from - corner.to, 2 * std::numbers::pi));
+      // Both are directions, so this is the exact remainder by a full turn.
+      double between = std::abs(static_cast<double>(from - corner.to));
+      if (between > std::numbers::pi) between = std::abs(between - 2 * std::numbers::pi);
       const double turning = std::numbers::pi - between;
       sum.slight += std::min(turning, 0.3);
       sum.moderate += std::min(turning, 0.7);

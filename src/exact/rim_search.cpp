@@ -12,13 +12,16 @@
 namespace rimline::exact {
 namespace {
 
+constexpr std::uint32_t certain = ~std::uint32_t{0};
+
 // The doubtful triangles, and how they hang together.
 struct Doubt {
   std::vector<Index> triangles;         // ascending
   std::vector<double> gain;             // of leaving each out, before corners are looked at
   std::vector<std::uint8_t> oversized;  // the choice by size alone: left out
   std::vector<double> log_ratio, own, spread;
-  std::vector<std::array<Index, 3>> beside;     // the triangles across its edges, or none
+  std::vector<std::array<Index, 3>> beside;                   // the triangles across its edges, or none
+  std::vector<std::array<std::uint32_t, 3>> doubtful_beside;  // of those the positions here, or `certain`
   std::vector<std::array<double, 3>> contrast;  // worth of a rim between it, left out, and each of them, kept
   std::vector<Index> vertices;                  // of these triangles, ascending
   std::vector<std::array<std::uint32_t, 3>> slots;  // position of each triangle's vertices in `vertices`
@@ -115,17 +118,23 @@ Doubt collect(const Complex& complex, LocalSizes& sizes, const std::vector<std::
   for (const Index t : doubt.triangles) {
     const Triangle& x = complex.triangle(t);
     std::array<Index, 3> beside;
+    std::array<std::uint32_t, 3> doubtful_beside{certain, certain, certain};
     std::array<double, 3> contrast;
     for (int k = 0; k < 3; ++k) {
       const Index a = x[k], b = x[(k + 1) % 3];
       beside[k] = complex.across(t, k);
       contrast[k] = 0;
       if (beside[k] == none) continue;
+      const auto at = std::lower_bound(doubt.triangles.begin(), doubt.triangles.end(), beside[k]);
+      if (at != doubt.triangles.end() && *at == beside[k]) {
+        doubtful_beside[k] = static_cast<std::uint32_t>(at - doubt.triangles.begin());
+      }
       const double own = std::max(sizes.own(complex.apex(beside[k], a, b)), complex.radius(beside[k]));
       const double c = std::log(complex.radius(t) / own);
       contrast[k] = options.weights.contrast * std::clamp(c - options.weights.least_contrast, -1.0, 0.0);
     }
     doubt.beside.push_back(beside);
+    doubt.doubtful_beside.push_back(doubtful_beside);
     doubt.contrast.push_back(contrast);
   }
   std::sort(doubt.vertices.begin(), doubt.vertices.end());
@@ -243,9 +252,8 @@ class GroupSearch {
     near_.clear();
     for (const std::uint32_t i : which) {
       near_.push_back(bits_[i]);
-      for (const Index other : doubt_.beside[bits_[i]]) {
-        const auto at = std::lower_bound(doubt_.triangles.begin(), doubt_.triangles.end(), other);
-        if (at != doubt_.triangles.end() && *at == other) near_.push_back(at - doubt_.triangles.begin());
+      for (const std::uint32_t other : doubt_.doubtful_beside[bits_[i]]) {
+        if (other != certain) near_.push_back(other);
       }
     }
     std::sort(near_.begin(), near_.end());
