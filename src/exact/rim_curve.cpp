@@ -259,18 +259,29 @@ class Places {
         found_.size(), Stage::Loops, run,
         [&](std::size_t first, std::size_t last) {
           for (std::size_t i = first; i < last; ++i) {
-            for (const double t : about[i]) look(found_[i], t);
+            look(found_[i], about[i]);
           }
         },
         places_in_task);
   }
 
-  // Seeks the nearest station about t, in the sheet of the curve.
-  void look(Place& place, double t) const {
+  // Seeks the nearest station about each t, in the sheet of the curve.
+  void look(Place& place, const std::vector<double>& about) const {
     constexpr std::ptrdiff_t reach = 8;  // stations, four spacings
-    const auto middle = std::lround(t / curve_.period() * static_cast<double>(curve_.size()));
-    const std::ptrdiff_t far = std::min(reach, curve_.size() / 3);
-    for (std::ptrdiff_t k = middle - far; k <= middle + far; ++k) {
+    std::ptrdiff_t begin = 0, end = 0;   // stations that were looked at: most beads of a place share them
+    for (const double t : about) {
+      const std::ptrdiff_t middle = std::lround(t / curve_.period() * static_cast<double>(curve_.size()));
+      const std::ptrdiff_t far = std::min(reach, curve_.size() / 3);
+      const std::ptrdiff_t from = middle - far, to = middle + far + 1;
+      if (from > end || to < begin) begin = end = from;  // elsewhere
+      look(place, from, std::min(to, begin));
+      look(place, std::max(from, end), to);
+      begin = std::min(begin, from);
+      end = std::max(end, to);
+    }
+  }
+  void look(Place& place, std::ptrdiff_t begin, std::ptrdiff_t end) const {
+    for (std::ptrdiff_t k = begin; k < end; ++k) {
       const std::size_t i = curve_.wrap(k);
       const Station& s = curve_.station(i);
       const Point d = points_[place.point] - s.at;
