@@ -57,6 +57,9 @@ class Document {
     json["nodes"] =
         Json::array({{{"mesh", 0}, {"translation", {translation.x, translation.y, translation.z}}}});
     json["meshes"] = Json::array({{{"primitives", Json::array({primitive})}}});
+    // An open surface is seen from both sides, and is no metal, as it would be by default.
+    json["materials"] =
+        Json::array({{{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"doubleSided", true}}});
     json["accessors"] = accessors_;
     json["bufferViews"] = views_;
     json["buffers"] = Json::array({{{"byteLength", size_}}});
@@ -129,7 +132,9 @@ Json describe(Document& document, const Attributes& a, const Box& box, const Tri
     document.accessor(colour)["normalized"] = true;
     attributes["COLOR_0"] = colour;
   }
-  Json primitive = {{"attributes", attributes}, {"mode", triangles.empty() ? mode_points : mode_triangles}};
+  Json primitive = {{"attributes", attributes},
+                    {"mode", triangles.empty() ? mode_points : mode_triangles},
+                    {"material", 0}};
   if (!triangles.empty()) {
     primitive["indices"] = document.add(3 * triangles.size(), "SCALAR", code_uint, 4, target_indices);
   }

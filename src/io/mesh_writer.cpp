@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OBJ, OFF, STL, and the choice among the formats of a mesh.
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace rimline {
 namespace io {
 
 std::string ending_of(const std::string& path) {
-    const std::size_t dot = path.find_last_of("./");
+  const std::size_t dot = path.find_last_of("./");
   if (dot == std::string::npos || path[dot] == '/') return is_stream(path) ? "ply" : "";
   std::string ending = path.substr(dot + 1);
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -36,7 +37,19 @@ std::vector<Point> normals_of_mesh(Points points, const Triangles& triangles) {
 
 namespace {
 
-// OBJ has no NaN; points without a value are in no triangle.
+// OBJ and OFF have no NaN. Points without a finite place are in no triangle; they are put where the first
+// point is that has one, which no reader minds.
+void write_places(SafeFile& file, const Cloud& cloud, const char* prefix, const Run& run) {
+  const auto first = std::find_if(cloud.points.begin(), cloud.points.end(), is_finite);
+  const Point place = first == cloud.points.end() ? Point{} : *first;
+  for_each_written(cloud.points.size(), run, [&](std::size_t i) {
+    file.write(prefix);
+    write_point(file, is_finite(cloud.points[i]) ? cloud.points[i] : place, cloud.coordinate_type);
+    file.write('\n');
+  });
+}
+
+// Points without a value are in no triangle.
 void write_finite(SafeFile& file, double value, Scalar type) {
   std::isfinite(value) ? write_coordinate(file, value, type) : file.write('0');
 }
@@ -84,11 +97,7 @@ void write_obj(SafeFile& file, const Cloud& cloud, const Triangles& triangles, c
   const Column* u = cloud.find("u");
   const Column* v = cloud.find("v");
   const bool uv = u != nullptr && v != nullptr;
-  for_each_written(cloud.points.size(), run, [&](std::size_t i) {
-    file.write("v ");
-    write_point(file, cloud.points[i], cloud.coordinate_type);
-    file.write('\n');
-  });
+  write_places(file, cloud, "v ", run);
   if (uv) write_obj_uv(file, *u, *v, cloud.points.size(), run);
   write_obj_normals(file, cloud, triangles, run);
   for_each_written(triangles.size(), run, [&](std::size_t t) {
@@ -100,10 +109,7 @@ void write_obj(SafeFile& file, const Cloud& cloud, const Triangles& triangles, c
 
 void write_off(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run) {
   file.write("OFF\n" + std::to_string(cloud.points.size()) + " " + std::to_string(triangles.size()) + " 0\n");
-  for_each_written(cloud.points.size(), run, [&](std::size_t i) {
-    write_point(file, cloud.points[i], cloud.coordinate_type);
-    file.write('\n');
-  });
+  write_places(file, cloud, "", run);
   for_each_written(triangles.size(), run, [&](std::size_t t) {
     file.write('3');
     for (const Index id : triangles[t]) {

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "io/files.h"
@@ -112,6 +113,78 @@ TEST_CASE("a glTF binary keeps large coordinates by the translation of its node"
   const std::size_t indices = offset_of(primitive["indices"]);
   CHECK(number_at<std::uint32_t>(bytes, indices + 8) == 2);
   CHECK(indices + 12 == bytes.size());
+}
+
+// What the standard asks of a binary of triangles (sections 3.6, 3.7 and 4.4 of glTF 2.0).
+void check_strictly(const std::string& bytes) {
+  const std::size_t json_size = number_at<std::uint32_t>(bytes, 12), buffer = 28 + json_size;
+  CHECK(json_size % 4 == 0);
+  CHECK((bytes.size() - buffer) % 4 == 0);
+  CHECK(bytes.substr(16, 4) == "JSON");
+  CHECK(bytes.substr(24 + json_size, 4) == std::string("BIN\0", 4));
+  const auto json = nlohmann::json::parse(bytes.substr(20, json_size));
+  CHECK(json["asset"]["version"] == "2.0");
+  const auto& primitive = json["meshes"][0]["primitives"][0];
+  CHECK(primitive["material"].get<std::size_t>() < json["materials"].size());
+  const std::size_t vertices =
+      json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()]["count"];
+  for (const auto& accessor : json["accessors"]) {
+    const auto& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    const std::size_t offset = view["byteOffset"], length = view["byteLength"], count = accessor["count"];
+    const std::string type = accessor["type"];
+    const std::size_t width = type == "SCALAR" ? 1 : static_cast<std::size_t>(type.at(3) - '0');
+    const int component = accessor["componentType"];
+    const std::size_t size = component == 5121 ? 1 : 4;  // bytes; else floats (5126) or uints (5125)
+    CHECK(offset % size == 0);
+    CHECK(length == count * width * size);
+    CHECK(buffer + offset + length <= bytes.size());
+    CHECK(view["target"] == (type == "SCALAR" ? 34963 : 34962));
+    CHECK((type == "SCALAR" || count == vertices));
+    for (std::size_t i = 0; i < count * width; ++i) {
+      const std::size_t at = buffer + offset + i * size;
+      if (component == 5125) CHECK(number_at<std::uint32_t>(bytes, at) < vertices);
+      if (component != 5126) continue;
+      const float value = number_at<float>(bytes, at);
+      CHECK(std::isfinite(value));
+      if (!accessor.contains("min")) continue;
+      CHECK(value >= accessor["min"][i % width].get<float>());
+      CHECK(value <= accessor["max"][i % width].get<float>());
+    }
+  }
+}
+
+TEST_CASE("a glTF binary holds what the standard asks for, with points of no place, no uv and no triangle") {
+  Cloud cloud = square();
+  cloud.points[1] = {1e7, -3, 0.1};
+  cloud.points.push_back({std::nan(""), 0, 0});
+  check_strictly(mesh_bytes("m.glb", cloud));
+  set_column(cloud, make_column("u", std::vector<double>{0, 1, 1, 0, std::nan("")}));
+  set_column(cloud, make_column("v", std::vector<double>{0, 0, 0.5, 1, std::nan("")}));
+  for (const char* c : {"red", "green", "blue"})
+    set_column(cloud, make_column(c, std::vector<std::uint8_t>{1, 2, 3, 4, 5}));
+  check_strictly(mesh_bytes("m.glb", cloud));
+}
+
+TEST_CASE("an OBJ and an OFF mesh have finite numbers only, and no vertex less for it") {
+  Cloud cloud = square();
+  cloud.points[0] = {std::nan(""), 0, 0};
+  cloud.points.push_back({0, std::numeric_limits<double>::infinity(), 0});
+  cloud.points.push_back({7, 8, 9});
+  set_column(cloud, make_column("u", std::vector<double>(6, std::nan(""))));
+  set_column(cloud, make_column("v", std::vector<double>(6, std::nan(""))));
+  const TemporaryDirectory directory;
+  for (const char* name : {"m.obj", "m.off"}) {
+    CAPTURE(name);
+    write_mesh(directory.file(name), cloud, {{1, 2, 3}}, {});
+    const std::string text = content_of(directory.file(name));
+    CHECK_FALSE(contains(text, "nan"));
+    CHECK_FALSE(contains(text, "inf"));
+    const std::vector<Point> points = read_bytes(name, text).points;
+    REQUIRE(points.size() == 6);
+    CHECK(points[0] == Point{1, 0, 0});  // of the first point that has a place
+    CHECK(points[4] == Point{1, 0, 0});
+    CHECK(points[5] == Point{7, 8, 9});
+  }
 }
 
 TEST_CASE("an unknown ending of a mesh is a bad option") {
