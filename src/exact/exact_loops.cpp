@@ -14,7 +14,9 @@
 #include "exact/denoise.h"
 #include "exact/evidence.h"
 #include "exact/frame.h"
+#include "exact/jaggedness.h"
 #include "exact/local_size.h"
+#include "exact/notch.h"
 #include "exact/odds.h"
 #include "exact/propose.h"
 #include "exact/raster.h"
@@ -72,6 +74,7 @@ class Survey {
 
   BoundarySurvey find() {
     search();
+    open_jagged_rims();
     sheets_ = orient_sheets(complex_, kept_, run_);
     measure_sheets();
     collect_loops();
@@ -111,27 +114,40 @@ class Survey {
       blend(o.weights.birth);
       blend(o.weights.birth_spread);
     }
-    RimSearchSummary& summary = result_.search;
-    summary.history.assign(options_.rim_generations, {});
+    result_.search.history.assign(options_.rim_generations, {});
     if (raster_) {  // leaves no doubt
       kept_.assign(complex_.size(), 1);
       return;
     }
-    for (int round = 0; round < 2; ++round) {
-      RimSearchResult found = search_rim(complex_, sizes_, bar_gaps(), o, run_);
-      summary.doubtful += found.doubtful;
-      summary.groups += found.groups;
-      summary.greedy += found.greedy;
-      summary.best += found.best;
-      for (int i = 0; i < options_.rim_generations; ++i) {
-        summary.history[i].best += found.history_best[i];
-        summary.history[i].mean += found.history_mean[i];
-      }
-      kept_ = std::move(found.kept);
-      // The large triangles that are gone had turned edges of the rim; with them out of the way the notches
-      // they leave can be seen for what they are, so the search looks again.
-      if (round == 0) keep_and_mend();
+    KnownRims known;
+    const std::vector<std::uint8_t> barred = bar_gaps();
+    look(o, barred, known);
+    // Rims that turn out to be even all along are likely so where they seem not to be: looked for once more,
+    // with that known. Noise blurs what is even.
+    if (blur_.noise == 0 && o.generations > 0) {
+      known = {evenness(points_, walk_rims(complex_, kept_)), kept_};
+      look(o, barred, known);
     }
+    // The large triangles that are gone had turned edges of the rim; with them out of the way the notches
+    // they leave can be seen for what they are, so the search looks again.
+    keep_and_mend();
+    known.kept.clear();
+    look(o, bar_gaps(), known);
+  }
+
+  void look(const RimSearchOptions& options, const std::vector<std::uint8_t>& barred,
+            const KnownRims& known) {
+    RimSearchResult found = search_rim(complex_, sizes_, barred, known, options, run_);
+    RimSearchSummary& summary = result_.search;
+    summary.doubtful += found.doubtful;
+    summary.groups += found.groups;
+    summary.greedy += found.greedy;
+    summary.best += found.best;
+    for (int i = 0; i < options_.rim_generations; ++i) {
+      summary.history[i].best += found.history_best[i];
+      summary.history[i].mean += found.history_mean[i];
+    }
+    kept_ = std::move(found.kept);
   }
 
   void keep_and_mend() {
@@ -159,6 +175,21 @@ class Survey {
       for (const Index v : loop) barred[v] = 1;
     }
     return barred;
+  }
+
+  void open_jagged_rims() {
+    if (raster_ || blur_.noise > 0 || options_.rim_generations == 0) return;
+    in_notch_.assign(points_.size(), 0);
+    for (const Index v : open_notches(complex_, sizes_, scores_, boundary_rims(), kept_)) in_notch_[v] = 1;
+  }
+
+  std::vector<std::vector<Index>> boundary_rims() const {
+    std::vector<std::vector<Index>> rims = walk_rims(complex_, kept_);
+    std::erase_if(rims, [&](const auto& rim) {
+      return static_cast<int>(rim.size()) < options_.min_loop ||
+             boundary_probability(rim) < options_.min_probability;
+    });
+    return rims;
   }
 
   // Adds to a sum that others add to, too: whole numbers give the same sum in any order.
@@ -227,13 +258,16 @@ class Survey {
       c.loop.component = sheets_.of_triangle[t];
       c.loop.points = std::move(ids);
       c.loop.length = loop_length(points_, c.loop.points);
-      c.loop.probability = rim_probability(c.loop.points, kept_);
-      if (!raster_) c.loop.probability *= no_gap(discs(c.loop.points));
+      c.loop.probability = boundary_probability(c.loop.points);
       c.returned = static_cast<int>(c.loop.points.size()) >= options_.min_loop &&
                    c.loop.probability >= options_.min_probability &&
                    result_.components[c.loop.component].triangles >= least_sheet;
       candidates_.push_back(std::move(c));
     }
+  }
+
+  double boundary_probability(const std::vector<Index>& ids) const {
+    return rim_probability(ids, kept_) * (raster_ ? 1 : no_gap(discs(ids)));
   }
 
   // Its vector area over that of a disc whose radius is the largest spacing on it.
@@ -255,12 +289,17 @@ class Survey {
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const Index a = ids[i], b = ids[i + 1 < ids.size() ? i + 1 : 0];
       const Index t = triangle_at(a, b, kept);
-      empty.push_back(emptiness_beyond(points_, neighbours_, spacing_, a, b, complex_.apex(t, a, b)));
+      if (!in_notch(a) && !in_notch(b))
+        empty.push_back(emptiness_beyond(points_, neighbours_, spacing_, a, b, complex_.apex(t, a, b)));
       thickness += frames_[a].thickness / static_cast<double>(ids.size());
     }
+    if (empty.empty()) return 0;
     std::nth_element(empty.begin(), empty.begin() + empty.size() / 2, empty.end());
     return loop_probability(ids.size(), empty[empty.size() / 2], thickness);
   }
+
+  // Notches are as narrow as the samples behind them and say nothing of what lies beyond the rim.
+  bool in_notch(Index v) const { return !in_notch_.empty() && in_notch_[v]; }
 
   // How much a loop looks like the outer one of its component: its extent, more where the surface lies inside
   // it, less where it lies around it.
@@ -437,6 +476,7 @@ class Survey {
   Complex complex_;
   LocalSizes sizes_;
   Kept kept_;
+  std::vector<std::uint8_t> in_notch_;  // of points on the rim that were behind it before notches opened
   Sheets sheets_;
   std::vector<Candidate> candidates_;
   BoundarySurvey result_;

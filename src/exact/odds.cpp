@@ -41,6 +41,15 @@ double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeight
   return weights.open + weights.size * ratio + weights.own * own - open + filled;
 }
 
+double jagged_log_odds(const Complex& complex, LocalSizes& sizes, const Triangle& notch,
+                       double chi_square_score, double jaggedness) {
+  const Points p = complex.points();
+  const Point a = p[notch[0]] - p[notch[1]], b = p[notch[2]] - p[notch[1]];
+  const double angle = std::atan2(norm(cross(a, b)), dot(a, b));
+  const double size = sizes.log_ratio(notch) / (sizes.spread(notch) + 0.1);
+  return -10.3 + 2.4 * angle + size + 0.62 * std::log1p(chi_square_score) + 4.7 * jaggedness;
+}
+
 double loop_probability(std::size_t points, double emptiness, double thickness) {
   const double size = std::log(std::min(24.0, static_cast<double>(points)) / 12);
   return logistic(-2.4 + 0.8 * size - 7 * thickness + 2.4 * std::min(emptiness, 3.0));

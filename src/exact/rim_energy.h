@@ -18,6 +18,7 @@ struct RimWeights {
   double open = 1.4;       // for each triangle left out ...
   double size = 0.7;       // ... and per log_ratio of it
   double own = 2.4;        // ... and per log ratio to the largest median around its corners
+  double even = 1;         // less for one that all corners have on rims known to be even
   double slight = 7.4;     // per radian of turning up to 0.3,
   double moderate = -3.0;  // correction per radian up to 0.7,
   double sharp = 1.5;      // and per radian of all turning: a smooth rim is precious, a jagged one is not

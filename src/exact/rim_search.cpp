@@ -101,8 +101,9 @@ std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
 }
 
 Doubt collect(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
-              const RimSearchOptions& options, const Run& run) {
+              const std::vector<double>& evenness, const RimSearchOptions& options, const Run& run) {
   Doubt doubt;
+  const RimWeights& w = options.weights;
   doubt.triangles = doubtful_triangles(complex, sizes, barred, options.doubtful, run);
   for (const Index t : doubt.triangles) {
     const double ratio = sizes.log_ratio(complex.triangle(t));
@@ -112,7 +113,9 @@ Doubt collect(const Complex& complex, LocalSizes& sizes, const std::vector<std::
     const double own = std::clamp(std::log(complex.radius(t) / largest), -1.0, 3.0);
     doubt.own.push_back(own);
     doubt.spread.push_back(sizes.spread(complex.triangle(t)));
-    doubt.gain.push_back(options.weights.open + options.weights.size * ratio + options.weights.own * own);
+    double even = 0;
+    for (const Index v : complex.triangle(t)) even += evenness.empty() ? 0 : evenness[v] / 3;
+    doubt.gain.push_back(w.open + w.size * ratio + w.own * own - w.even * even);
     for (const Index v : complex.triangle(t)) doubt.vertices.push_back(v);
   }
   for (const Index t : doubt.triangles) {
@@ -131,7 +134,7 @@ Doubt collect(const Complex& complex, LocalSizes& sizes, const std::vector<std::
       }
       const double own = std::max(sizes.own(complex.apex(beside[k], a, b)), complex.radius(beside[k]));
       const double c = std::log(complex.radius(t) / own);
-      contrast[k] = options.weights.contrast * std::clamp(c - options.weights.least_contrast, -1.0, 0.0);
+      contrast[k] = w.contrast * std::clamp(c - w.least_contrast, -1.0, 0.0);
     }
     doubt.beside.push_back(beside);
     doubt.doubtful_beside.push_back(doubtful_beside);
@@ -423,13 +426,25 @@ GroupResult search_group(GroupSearch& search, std::size_t bits, const RimSearchO
   return result;
 }
 
+// Where no rim is even the search would find what it found before.
+bool take_over(const KnownRims& known, const Doubt& doubt, const Group& group, Kept& kept) {
+  if (known.kept.empty()) return false;
+  for (const std::uint32_t i : group) {
+    for (const std::uint32_t s : doubt.slots[i]) {
+      if (known.evenness[doubt.vertices[s]] > 0) return false;
+    }
+  }
+  for (const std::uint32_t i : group) kept[doubt.triangles[i]] = known.kept[doubt.triangles[i]];
+  return true;
+}
+
 }  // namespace
 
 RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
-                           const RimSearchOptions& options, const Run& run) {
+                           const KnownRims& known, const RimSearchOptions& options, const Run& run) {
   RimSearchResult result;
   result.kept.assign(complex.size(), 1);
-  const Doubt doubt = collect(complex, sizes, barred, options, run);
+  const Doubt doubt = collect(complex, sizes, barred, known.evenness, options, run);
   const Corners corners(complex, doubt.vertices);
   const std::vector<Group> groups = group(doubt);
   result.doubtful = doubt.triangles.size();
@@ -440,12 +455,14 @@ RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std:
   // Groups share no vertex: none reads a byte of `kept` that another writes.
   std::vector<GroupResult> found(groups.size());
   parallel_tasks(groups.size(), Stage::Loops, run, [&](std::size_t g) {
+    if (take_over(known, doubt, groups[g], result.kept)) return;
     GroupSearch search(doubt, corners, groups[g], options.weights, result.kept, log_points,
                        Random(run.seed, doubt.triangles[groups[g][0]]));
     found[g] = search_group(search, groups[g].size(), options);
   });
   run.check_cancel();
   for (const GroupResult& g : found) {
+    if (options.generations > 0 && g.history_best.empty()) continue;  // taken over
     result.greedy += g.greedy;
     result.best += g.best;
     for (std::size_t i = 0; i < result.history_best.size(); ++i) {

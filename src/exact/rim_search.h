@@ -27,6 +27,11 @@ struct RimSearchResult {
   std::vector<double> history_best, history_mean;  // per generation, summed over the groups
 };
 
+struct KnownRims {
+  std::vector<double> evenness;  // of the rim at each vertex, 0 to 1; 0 where it is on none. Empty: not known
+  Kept kept;  // by a search of the same triangles, taken over where no rim is even. Empty: searched anew
+};
+
 // A chromosome says of each doubtful triangle whether it is kept. The rim of any set of triangles is a set of
 // closed loops, so any chromosome is a closed boundary, and so is what crossover and mutation make of it:
 // exchanging triangles adds (modulo 2) the boundary of what was exchanged.
@@ -34,8 +39,10 @@ struct RimSearchResult {
 // Doubtful triangles that share no vertex with others of their group do not influence each other, so each
 // group has a population of its own.
 //
+// `known` is what a search before has shown.
+//
 // Triangles at a vertex marked in `barred` are not doubted: those around gaps that are no boundary.
 RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
-                           const RimSearchOptions& options, const Run& run);
+                           const KnownRims& known, const RimSearchOptions& options, const Run& run);
 
 }  // namespace rimline::exact
