@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "map/graph.h"
+#include "map/weights.h"
 #include "mesh/flip.h"
 #include "mesh/triangulation.h"
 
@@ -38,12 +39,18 @@ class Fill {
     for (int round = 0; round < rounds && split_large(most); ++round) flip();
   }
 
-  // The membrane: every added vertex the mean of its neighbours.
+  // The membrane: every added vertex the mean of its neighbours, weighted by the shapes of the triangles, so
+  // that in the plane all stay where they are.
   void relax() {
     if (added() == 0) return;
     std::vector<WeightedEdge> edges;
-    for (const Triangle& t : mesh_.triangles) {
-      for (int c = 0; c < 3; ++c) edges.push_back({t[c], t[next(c)], 1});
+    for (Index t = 0; t < mesh_.size(); ++t) {
+      for (int c = 0; c < 3; ++c) {
+        const Index other = mesh_.adjacent[t][c];
+        if (other < t) continue;  // the rim's own edges weigh nothing; others are there from the other side
+        const Triangle& v = mesh_.triangles[t];
+        edges.push_back({v[next(c)], v[previous(c)], cotangent_weight(points_, mesh_, t, c, {})});
+      }
     }
     const Graph graph = make_graph(static_cast<Index>(points_.size()), edges);
     std::vector<char> fixed(points_.size(), 0);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "rimline/measure.h"
+
 namespace rimline {
 namespace {
 
@@ -46,12 +48,29 @@ TEST_CASE("vertices are added at the spacing of the rim and stay within it") {
   }
 }
 
-TEST_CASE("added vertices lie on the membrane: each the mean of those it is joined to") {
+TEST_CASE("added vertices lie on the membrane: within the height of the rim") {
   const auto rim = ring(40, 0.3);
   const std::vector<double> spacing(rim.size(), 0.3);
   const RimFill fill = fill_rim(rim, spacing, 10'000, any_pair, {});
   REQUIRE(!fill.added.empty());
   for (const Point& p : fill.added) CHECK(std::abs(p.z) < 0.3);  // within the rim's own height
+}
+
+TEST_CASE("a rim with deep bays is filled by vertices without the fill meeting itself") {
+  // The rim's points lie far closer than the vertices allowed: triangles at it are slim, and about the bays
+  // the plain mean of a vertex's neighbours lies outside.
+  std::vector<Point> rim;
+  const int corners = 3000;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners, radius = 1 + 0.35 * std::cos(5 * angle);
+    rim.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.1 * std::sin(2 * angle)});
+  }
+  const std::vector<double> spacing(rim.size(), 0.003);
+  const RimFill fill = fill_rim(rim, spacing, 3000, any_pair, {});
+  CHECK(fill.added.size() > 1000);
+  std::vector<Point> points = rim;
+  points.insert(points.end(), fill.added.begin(), fill.added.end());
+  CHECK(find_self_intersections(points, fill.triangles, {}).empty());
 }
 
 TEST_CASE("no more vertices are added than allowed") {
