@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "map/pack.h"
 #include "map/patches.h"
 #include "map/refine_patch.h"
+#include "parallel.h"
 #include "rimline/refine.h"
 #include "union_find.h"
 
@@ -170,6 +172,49 @@ void refuse_closed(const std::vector<Triangle>& surface_triangles, std::size_t p
   }
 }
 
+// A patch, or what was thrown instead.
+struct Meshed {
+  Patch patch;
+  std::exception_ptr failure;
+};
+
+// Calls mesh(p, run) for every patch. Large ones have all threads to themselves, one after the other; of
+// small ones each thread has its own.
+template <class Mesh>
+std::vector<Meshed> mesh_all(const std::vector<PatchInput>& patches, const Mesh& mesh, const Run& run) {
+  constexpr std::size_t large = 20'000, batch = 64;  // points; patches between two looks at progress
+  std::vector<Meshed> meshed(patches.size());
+  const auto keep = [&](std::size_t p, const Run& own_run) {
+    try {
+      meshed[p].patch = mesh(p, own_run);
+    } catch (...) {
+      meshed[p].failure = std::current_exception();
+    }
+  };
+  std::vector<std::size_t> small;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    run.check_cancel();
+    if (patches.size() == 1 || patches[p].points.size() >= large) {
+      keep(p, run);
+    } else {
+      small.push_back(p);
+    }
+  }
+  Run alone = run;  // progress is for the thread that called
+  alone.on_progress = {};
+  alone.threads = 1;
+  tbb::task_arena arena(thread_count(run));
+  for (std::size_t first = 0; first < small.size(); first += batch) {
+    run.progress(Stage::Refine, first, small.size());
+    arena.execute([&] {
+      tbb::parallel_for(first, std::min(first + batch, small.size()),
+                        [&](std::size_t i) { keep(small[i], alone); });
+    });
+  }
+  run.check_cancel();
+  return meshed;
+}
+
 }  // namespace
 
 Surface refine_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
@@ -189,16 +234,22 @@ Surface refine_surface(Points points, const Neighbours& neighbours, const std::v
   surface.left_out = std::move(parts.left_out);
   std::vector<std::vector<Triangle>> surveys = share_out(surface_triangles, points.size(), parts.patches);
   check_corners(parts.patches, options);
+  const auto mesh = [&](std::size_t p, const Run& own_run) {
+    const PatchInput& input = parts.patches[p];
+    const RefineOptions own = options_for(input, options);
+    return input.points.size() == points.size()
+               ? refine_patch(points, neighbours, stars ? &*stars : nullptr, input.outline,
+                              std::move(surveys[p]), own, own_run)
+               : refine_alone(points, input, std::move(surveys[p]), neighbours.k, own, own_run);
+  };
+  std::vector<Meshed> meshed = mesh_all(parts.patches, mesh, run);
   for (std::size_t p = 0; p < parts.patches.size(); ++p) {
     const PatchInput& input = parts.patches[p];
-    const bool whole = input.points.size() == points.size();
     try {
-      const RefineOptions own = options_for(input, options);
-      Patch patch = whole ? refine_patch(points, neighbours, stars ? &*stars : nullptr, input.outline,
-                                         std::move(surveys[p]), own, run)
-                          : refine_alone(points, input, std::move(surveys[p]), neighbours.k, own, run);
-      surface.patches.push_back(report_on(input, patch, options));
-      append(input, patch, surface);
+      if (meshed[p].failure) std::rethrow_exception(meshed[p].failure);
+      surface.patches.push_back(report_on(input, meshed[p].patch, options));
+      append(input, meshed[p].patch, surface);
+      meshed[p] = {};
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Cancelled || error.code() == ErrorCode::OutOfMemory) throw;
       std::vector<Index> ids;

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <thread>
 
 #include "map/pinches.h"
 #include "rimline/refine.h"
@@ -92,6 +93,33 @@ TEST_CASE("two sheets become two patches, side by side in uv") {
     if (i >= 144) least = std::min(least, surface.uv[i].u);
   }
   CHECK(most < least);
+}
+
+TEST_CASE(
+    "many patches on any number of threads are the same surface, progress told by the caller's thread") {
+  std::vector<Point> points;
+  std::vector<Loop> loops;
+  for (int k = 0; k < 70; ++k) {
+    const int side = 5 + k % 7;
+    loops.push_back(border(side, static_cast<Index>(points.size())));
+    for (const Point& p : sheet(side, {20.0 * (k % 10), 20.0 * (k / 10), 0})) points.push_back(p);
+  }
+  Run run;
+  run.threads = 1;
+  const Neighbours neighbours = find_neighbours(points, 20, run);
+  const Surface one = refine_surface(points, neighbours, loops, {}, {}, run);
+  CHECK(one.patches.size() == 70);
+  std::size_t calls = 0;
+  run.threads = 4;
+  run.on_progress = [&, caller = std::this_thread::get_id()](Progress) {
+    CHECK(std::this_thread::get_id() == caller);
+    ++calls;
+  };
+  const Surface four = refine_surface(points, neighbours, loops, {}, {}, run);
+  CHECK(calls > 1);
+  CHECK(four.triangles == one.triangles);
+  CHECK(four.uv == one.uv);
+  CHECK(four.patch == one.patch);
 }
 
 TEST_CASE("points that hang together with no loop are left out and named") {
