@@ -374,9 +374,29 @@ class Survey {
         rate(inner, c, notch_log_odds(complex_, sizes_, weights, {run[1], run[2], inner, run[3], run[4]}),
              false);
       }
+      if (!raster_) rate_behind_jagged(c);
     }
     for (std::size_t v = 0; raster_ && v < points_.size(); ++v) {
       if (complex_.star(static_cast<Index>(v)).empty()) result_.probability[v] = raster_alone();
+    }
+  }
+
+  // Behind a jagged rim lie points that would be on it, had all its notches been seen.
+  void rate_behind_jagged(const Candidate& c) {
+    const auto& ids = c.loop.points;
+    const std::vector<double> jagged = jaggedness(points_, ids);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (jagged[i] == 0) continue;
+      const Index a = ids[i], b = ids[i + 1 < ids.size() ? i + 1 : 0];
+      const Index behind = complex_.apex(triangle_at(a, b), a, b);
+      raise(behind, jagged_point_probability(jagged_log_odds(complex_, sizes_, {a, behind, b},
+                                                             scores_.log_score[behind], jagged[i]),
+                                             jagged[i], c.loop.probability));
+      for (const Index t : complex_.star(a)) {
+        if (!kept_[t]) continue;
+        for (const Index v : complex_.triangle(t))
+          raise(v, behind_jagged_point(jagged[i], c.loop.probability));
+      }
     }
   }
 
@@ -437,6 +457,9 @@ class Survey {
     const double chi_square = scores_.log_score[id];
     const double p = raster_ ? raster_point_probability(on_rim, chi_square, c.loop.probability)
                              : point_probability(log_odds, on_rim, chi_square, c.loop.probability);
+    raise(id, p);
+  }
+  void raise(Index id, double p) {
     result_.probability[id] = std::max(result_.probability[id], static_cast<float>(p));
   }
 

@@ -39,6 +39,11 @@ double raster_loop_probability(std::size_t points);
 // chi-square score -log p, and the probability of the rim.
 double point_probability(double notch, bool on_rim, double chi_square_score, double loop_probability);
 
+// That a point behind an edge of a jagged rim is on the boundary, by jagged_log_odds(); and one that only a
+// triangle joins to a point of the rim.
+double jagged_point_probability(double log_odds, double jaggedness, double loop_probability);
+double behind_jagged_point(double jaggedness, double loop_probability);
+
 // That a point is on a boundary that was drawn anew under noise: by how far outside the line that parts the
 // points of the loop from those inside it lies, in spacings; `noise` in spacings as well.
 double blurred_probability(double depth, double noise, double loop_probability);

@@ -243,6 +243,23 @@ TEST_CASE("on a jagged rim the search finds edges that sizes alone miss") {
   CHECK(with > 1.1 * without);
 }
 
+TEST_CASE(
+    "no point in a triangle at a jagged rim is ruled out, at an even one those behind points of it are") {
+  const auto ruled_out = [](Sampling sampling) {
+    const Found found = find_loops(make(Shape::FlatDisc, sampling, 1500).points);
+    const std::vector<float>& p = found.survey.probability;
+    const auto is_at_rim = [&](Index v) { return found.survey.label[v] == PointLabel::Boundary; };
+    std::size_t count = 0;
+    for (const Triangle& t : found.survey.triangles) {
+      if (std::none_of(t.begin(), t.end(), is_at_rim)) continue;
+      count += std::count_if(t.begin(), t.end(), [&](Index v) { return p[v] < 0.002; });
+    }
+    return count;
+  };
+  CHECK(ruled_out(Sampling::Cropped) == 0);
+  CHECK(ruled_out(Sampling::BlueNoise) > 20);
+}
+
 TEST_CASE("the search finds a hole in rows that are far apart") {
   // A tunnel of rows two units apart along x, one unit along y, with a round hole.
   std::vector<Point> points;
