@@ -29,6 +29,10 @@ struct Doubt {
 
 constexpr double far_from_usual = 0.35;  // log_ratio beyond the spread that lets a hole start inside
 
+// log_ratio beyond the spread of a triangle that closes an opening, whatever the gaps beside it are: a chord
+// over a small hole leaves gaps that look like those at creases, since its other rim lies beyond them.
+constexpr double plainly_too_large = 0.8;
+
 bool is_at_rim(const Complex& complex, Index t) {
   return complex.across(t, 0) == none || complex.across(t, 1) == none || complex.across(t, 2) == none;
 }
@@ -49,13 +53,27 @@ std::vector<std::uint8_t> large_triangles(const Complex& complex, const Run& run
   return large;
 }
 
+// Whether a triangle is out of doubt for the gaps at its corners.
+class Spared {
+ public:
+  Spared(const std::vector<std::uint8_t>& barred, LocalSizes& sizes) : barred_(barred), sizes_(sizes) {}
+
+  bool may_be(const Triangle& x) const { return barred_[x[0]] || barred_[x[1]] || barred_[x[2]]; }
+  bool operator()(const Triangle& x) const {
+    return may_be(x) && sizes_.log_ratio(x) <= plainly_too_large + sizes_.spread(x);
+  }
+
+ private:
+  const std::vector<std::uint8_t>& barred_;
+  LocalSizes& sizes_;
+};
+
 // The triangles that doubt starts from, ascending.
-std::vector<Index> first_doubts(const Complex& complex, LocalSizes& sizes,
-                                const std::vector<std::uint8_t>& barred, double doubtful, const Run& run) {
-  const auto is_barred = [&](const Triangle& x) { return barred[x[0]] || barred[x[1]] || barred[x[2]]; };
+std::vector<Index> first_doubts(const Complex& complex, LocalSizes& sizes, const Spared& is_spared,
+                                double doubtful, const Run& run) {
   std::vector<std::uint8_t> asked = large_triangles(complex, run);
   parallel_for_each(complex.size(), Stage::Loops, run, [&](Index t) {
-    asked[t] = (asked[t] || is_at_rim(complex, t)) && !is_barred(complex.triangle(t));
+    asked[t] = asked[t] || (is_at_rim(complex, t) && !is_spared.may_be(complex.triangle(t)));
   });
   const auto has_asked = [&](Index v) {
     const auto star = complex.star(v);
@@ -70,6 +88,7 @@ std::vector<Index> first_doubts(const Complex& complex, LocalSizes& sizes,
   return parallel_gather<Index>(complex.size(), Stage::Loops, run, [&](Index t, std::vector<Index>& found) {
     if (!asked[t]) return;
     const Triangle& x = complex.triangle(t);
+    if (is_spared(x)) return;
     const double ratio = sizes.log_ratio(x);  // all sizes it needs are known
     if (is_at_rim(complex, t) ? ratio > doubtful : ratio > far_from_usual + sizes.spread(x))
       found.push_back(t);
@@ -79,9 +98,9 @@ std::vector<Index> first_doubts(const Complex& complex, LocalSizes& sizes,
 std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
                                       const std::vector<std::uint8_t>& barred, double doubtful,
                                       const Run& run) {
-  const auto is_barred = [&](const Triangle& x) { return barred[x[0]] || barred[x[1]] || barred[x[2]]; };
+  const Spared is_spared(barred, sizes);
   constexpr int deepest = 12;  // triangles from the rim
-  std::vector<Index> queue = first_doubts(complex, sizes, barred, doubtful, run);
+  std::vector<Index> queue = first_doubts(complex, sizes, is_spared, doubtful, run);
   std::vector<std::uint8_t> depth(complex.size(), 0);
   for (const Index t : queue) depth[t] = 1;
   for (std::size_t i = 0; i < queue.size(); ++i) {
@@ -89,7 +108,7 @@ std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
     if (depth[t] >= deepest) continue;
     for (int k = 0; k < 3; ++k) {
       const Index other = complex.across(t, k);
-      if (other == none || depth[other] || is_barred(complex.triangle(other)) ||
+      if (other == none || depth[other] || is_spared(complex.triangle(other)) ||
           sizes.log_ratio(complex.triangle(other)) <= doubtful)
         continue;
       depth[other] = static_cast<std::uint8_t>(depth[t] + 1);
@@ -343,13 +362,11 @@ class GroupSearch {
     std::vector<std::uint8_t> seen(bits_.size(), 0);
     for (std::uint32_t i = 0; i < bits_.size(); ++i) {
       if (seen[i] || kept_[doubt_.triangles[bits_[i]]]) continue;
-      bool outside = false;
-      double spread = 0;
-      const std::vector<std::uint32_t> hole = void_at(i, seen, outside, spread);
-      if (outside) continue;
-      const double gain = flip(hole);
-      if (-gain >= weights_.birth + weights_.birth_spread * spread + weights_.birth_points * log_points_) {
-        flip(hole);
+      const Void hole = void_at(i, seen);
+      if (hole.outside) continue;
+      const double gain = flip(hole.bits);
+      if (-gain >= least_gain(hole)) {
+        flip(hole.bits);
       } else {
         change += gain;
       }
@@ -358,16 +375,26 @@ class GroupSearch {
   }
 
  private:
-  // The left out triangles that hang together with one, over edges.
-  std::vector<std::uint32_t> void_at(std::uint32_t start, std::vector<std::uint8_t>& seen, bool& outside,
-                                     double& spread) const {
-    std::vector<std::uint32_t> found{start};
+  // Left out triangles that hang together over edges.
+  struct Void {
+    std::vector<std::uint32_t> bits;
+    bool outside = false;     // reaches a free edge of the complex
+    double spread = 0;        // mean over the triangles
+    double largest = -1e300;  // log_ratio
+  };
+
+  // The void that holds one.
+  Void void_at(std::uint32_t start, std::vector<std::uint8_t>& seen) const {
+    Void result;
+    std::vector<std::uint32_t>& found = result.bits;
+    found.push_back(start);
     seen[start] = 1;
     for (std::size_t k = 0; k < found.size(); ++k) {
-      spread += doubt_.spread[bits_[found[k]]];
+      result.spread += doubt_.spread[bits_[found[k]]];
+      result.largest = std::max(result.largest, doubt_.log_ratio[bits_[found[k]]]);
       for (const Index other : doubt_.beside[bits_[found[k]]]) {
         if (other == none) {
-          outside = true;
+          result.outside = true;
         } else if (!kept_[other]) {
           const auto at = std::lower_bound(bits_.begin(), bits_.end(), other,
                                            [&](std::uint32_t b, Index t) { return doubt_.triangles[b] < t; });
@@ -377,8 +404,23 @@ class GroupSearch {
         }
       }
     }
-    spread /= found.size();
-    return found;
+    result.spread /= static_cast<double>(found.size());
+    return result;
+  }
+
+  // What a hole must bring. Where sizes spread, chance tears holes, and more is asked; but not of one whose
+  // empty disc chance does not bring about.
+  double least_gain(const Void& hole) const {
+    const double by_spread = is_chance(hole.largest) ? weights_.birth_spread * hole.spread : 0;
+    return weights_.birth + by_spread + weights_.birth_points * log_points_;
+  }
+
+  // Whether a triangle so large may be found among the 2 n of n random points. Of random points the area of
+  // the circumcircle times the density has the law of Gamma(2), whose value 5/8 up is 2.15.
+  bool is_chance(double log_ratio) const {
+    constexpr double typical = 2.15, margin = 8;  // e^-8: the density is not known well
+    const double area = typical * std::exp(2 * log_ratio);
+    return area - std::log1p(area) - std::log(2000.0) - log_points_ < margin;
   }
 
   const Doubt& doubt_;

@@ -273,6 +273,26 @@ TEST_CASE("the search finds a hole in rows that are far apart") {
   CHECK(signed_area(points, found.loops[1]) < -75);
 }
 
+TEST_CASE("a small opening is found where chords cross it, and a hole where the density steps") {
+  struct Case {
+    const char* name;
+    Shape shape;
+    Sampling sampling;
+    std::uint64_t seed;
+  };
+  const Case cases[] = {
+      {"chords leave gaps in an opening of 19 points", Shape::SphereMinusCap, Sampling::BlueNoise,
+       8571889395535396792U},
+      {"chords cross the end of a pipe", Shape::Pipe, Sampling::DensityStep, 3152561384523196956U},
+      {"a hole of 14 points in its sparse half", Shape::SquareWithHoles, Sampling::DensityStep, 3},
+  };
+  for (const Case& c : cases) {
+    CAPTURE(c.name);
+    const Sample truth = make(c.shape, c.sampling, 1000, 0, c.seed);
+    CHECK(edge_sets(find_loops(truth.points).loops) == edge_sets(truth.loops));
+  }
+}
+
 TEST_CASE("noise of a fifth of the spacing tears no holes into random samples") {
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     CHECK(find_loops(make(Shape::WavySaddle, Sampling::Random, 4000, 0.2, seed).points).loops.size() == 1);
