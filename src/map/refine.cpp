@@ -225,7 +225,7 @@ class Refiner {
 
   void check_topology() {
     constexpr double enough = 0.5;  // of the points, for the verdict to count
-    const Topology topology = find_topology(stars());
+    const Topology topology = find_topology(points_, stars());
     if (topology.coverage < enough) return;
     if (!topology.orientable) throw Error(ErrorCode::NotADisc, "the surface is one-sided (not orientable)");
     if (topology.genus > 0) {

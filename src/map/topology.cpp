@@ -82,30 +82,44 @@ std::vector<Triangle> largest_part(const std::vector<Triangle>& triangles) {
   return part;
 }
 
-// Two nodes a triangle, one for each way to turn it: a one-sided surface joins the two.
-bool is_orientable(const std::vector<Triangle>& triangles, const std::vector<Side>& sides) {
+Point unit_normal(Points points, const Triangle& t) {
+  const Point n = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+  const double length = norm(n);
+  return length > 0 ? (1 / length) * n : Point{};
+}
+
+// Two nodes a triangle, one for each way to turn it: a one-sided surface joins the two. Not over an edge at
+// which the triangles fold by more than 45 degrees: there the cells may have taken two sheets that lie close
+// for one, and a single such edge would make any surface one-sided. A strip that is sampled well is smoother.
+bool is_orientable(Points points, const std::vector<Triangle>& triangles, const std::vector<Side>& sides) {
   const Index n = static_cast<Index>(triangles.size());
+  constexpr double flat = 0.7;
   UnionFind turned(2 * n);
   for (std::size_t s = 1; s < sides.size(); ++s) {
     if (!same_edge(sides[s - 1], sides[s])) continue;
     const Index t = sides[s - 1].triangle, u = sides[s].triangle;
     const bool agree = runs_up(triangles, sides[s - 1]) != runs_up(triangles, sides[s]);
+    const double cosine = dot(unit_normal(points, triangles[t]), unit_normal(points, triangles[u]));
+    if ((agree ? cosine : -cosine) < flat) continue;
     turned.join(t, agree ? u : u + n);
     turned.join(t + n, agree ? u + n : u);
   }
-  return triangles.empty() || turned.find(0) != turned.find(n);
+  for (Index t = 0; t < n; ++t) {
+    if (turned.find(t) == turned.find(t + n)) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
-Topology find_topology(const Stars& stars) {
+Topology find_topology(Points points, const Stars& stars) {
   const Index n = static_cast<Index>(stars.offsets.size()) - 1;
   Topology topology;
   const std::vector<Triangle> triangles = largest_part(agreed_triangles(stars));
   topology.triangles = static_cast<Index>(triangles.size());
   if (triangles.empty()) return topology;
   const std::vector<Side> sides = sides_of(triangles);
-  topology.orientable = is_orientable(triangles, sides);
+  topology.orientable = is_orientable(points, triangles, sides);
   // Euler's number, and one disc for each independent cycle of open edges.
   std::vector<char> used(n, 0), rim(n, 0);
   UnionFind rims(n);

@@ -15,6 +15,6 @@ struct Topology {
   Index triangles = 0;
 };
 
-Topology find_topology(const Stars& stars);
+Topology find_topology(Points points, const Stars& stars);
 
 }  // namespace rimline
