@@ -13,7 +13,8 @@ namespace {
 constexpr double arrange_bytes = 100;
 constexpr double neighbours_bytes = 130;
 constexpr double boundary_bytes = 100;
-constexpr double loops_bytes = 440;        // stars, triangles, the search
+constexpr double survey_bytes = 440;       // frames, stars, triangles
+constexpr double loops_bytes = 440;        // these, and the search
 constexpr double paper_loops_bytes = 150;  // closed paths and chromosomes are small beside them
 constexpr double refine_bytes = 780;       // mesh, system, multigrid
 constexpr double measure_bytes = 500;
@@ -43,6 +44,7 @@ std::vector<StageMemory> estimate_memory(std::size_t points, const Options& opti
     add(Stage::Triangulate, triangulate_bytes + lists);
   } else {
     const double factor = options.map.domain == Domain::Free ? factor_bytes * std::log2(n + 2) : 0;
+    add(Stage::Survey, survey_bytes + lists);
     add(Stage::Loops, loops_bytes + lists);
     add(Stage::Refine, refine_bytes + lists + factor);
   }

@@ -9,6 +9,7 @@ const char* name(Stage stage) {
     case Stage::Arrange: return "arrange";
     case Stage::Neighbours: return "neighbours";
     case Stage::Boundary: return "boundary";
+    case Stage::Survey: return "survey";
     case Stage::Loops: return "loops";
     case Stage::Parameterize: return "parameterize";
     case Stage::Triangulate: return "triangulate";

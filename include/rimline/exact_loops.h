@@ -55,6 +55,8 @@ struct BoundarySurvey {
 // Finds the loops of any number of open surfaces; none where all are closed. Requires finite and distinct
 // points and lists of at least 16 neighbours (40 where the density changes sharply), or of all where there
 // are fewer. The result depends on run.seed. Throws TooFewPoints for fewer than 4 points and BadOption.
+// The first part of the work, the triangles between neighbours that the loops are then sought among, reports
+// its progress as Stage::Survey, the rest as Stage::Loops.
 // Loop::fitness is eq. (3) on the log score -log(1 - probability), with `length_exponent` as its exponent.
 BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                                 const ExactLoopOptions& options, double length_exponent, const Run& run);

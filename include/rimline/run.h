@@ -21,6 +21,7 @@ enum class Stage {
   Arrange,
   Neighbours,
   Boundary,
+  Survey,
   Loops,
   Parameterize,
   Triangulate,

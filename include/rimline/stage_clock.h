@@ -14,6 +14,10 @@ namespace rimline {
 class StageClock {
  public:
   void enter(Stage stage);
+  // Enters a stage unless it is the one that runs.
+  void follow(Stage stage) {
+    if (!running_ || stage_ != stage) enter(stage);
+  }
   void leave();
   const std::vector<StageCost>& costs() const { return costs_; }
 

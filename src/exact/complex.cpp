@@ -31,7 +31,7 @@ void Complex::start_with(std::vector<Triangle> triangles, std::vector<double> ra
   stars_ = std::move(at.places_);
   at_vertex_ = std::move(at.ids_);
   beside_.resize(triangles_.size(), {none, none, none});
-  parallel_for_each(stars_.size(), Stage::Boundary, run, [&](Index v) {
+  parallel_for_each(stars_.size(), Stage::Survey, run, [&](Index v) {
     link_at_vertex(v, at.stars_[v]);
     gather_at_vertex(v);
   });

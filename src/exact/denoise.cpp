@@ -58,7 +58,7 @@ double noise_level(Points points, const Neighbours& neighbours, const std::vecto
       0.8;  // of normal noise: the root of the chi-square quartile over its freedom, 7
   const std::size_t stride = 1 + (points.size() - 1) / most_asked;
   std::vector<double> deviation((points.size() - 1) / stride + 1);
-  parallel_for_each(deviation.size(), Stage::Boundary, run, [&](Index i) {
+  parallel_for_each(deviation.size(), Stage::Survey, run, [&](Index i) {
     const auto p = static_cast<Index>(stride * static_cast<std::size_t>(i));
     deviation[i] = fit_quadric(points, neighbours, p, count).deviation / spacing[p];
   });
@@ -100,7 +100,7 @@ std::vector<Point> take_off_noise(Points points, const Neighbours& neighbours, d
                                   const Run& run) {
   constexpr int count = 24;
   std::vector<Point> moved(points.begin(), points.end());
-  parallel_for_each(points.size(), Stage::Boundary, run, [&](Index i) {
+  parallel_for_each(points.size(), Stage::Survey, run, [&](Index i) {
     const Quadric quadric = fit_quadric(points, neighbours, i, count);
     moved[i] = points[i] + weight * quadric.height * quadric.normal;
   });

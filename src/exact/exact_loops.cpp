@@ -73,6 +73,7 @@ class Survey {
         sizes_(complex_, neighbours) {}
 
   BoundarySurvey find() {
+    run_.progress(Stage::Loops, 0, points_.size());
     search();
     open_jagged_rims();
     sheets_ = orient_sheets(complex_, kept_, run_);

@@ -70,7 +70,7 @@ Frame fit_frame(Points points, std::span<const Index> ids, Index point) {
 
 std::vector<Frame> fit_frames(Points points, const Neighbours& neighbours, const Run& run) {
   std::vector<Frame> frames(points.size());
-  parallel_for_each(points.size(), Stage::Boundary, run,
+  parallel_for_each(points.size(), Stage::Survey, run,
                     [&](Index i) { frames[i] = fit_frame(points, neighbours, i); });
   return frames;
 }

@@ -88,7 +88,7 @@ void read_star(const Complex& complex, const Stars& stars, const std::vector<dou
 std::vector<Row> read_stars(const Complex& complex, const Stars& stars, const std::vector<double>& spacing,
                             double largest, const Run& run) {
   std::vector<Row> rows((stars.size() + points_in_row - 1) / points_in_row);
-  parallel_tasks(rows.size(), Stage::Boundary, run, [&](std::size_t r) {
+  parallel_tasks(rows.size(), Stage::Survey, run, [&](std::size_t r) {
     const std::size_t end = std::min(stars.size(), (r + 1) * points_in_row);
     rows[r].agreed.reserve(9 * points_in_row / 4);  // a surface has two triangles a point
     for (std::size_t v = r * points_in_row; v < end; ++v) {
@@ -106,7 +106,7 @@ void take_agreed(Complex& complex, const Stars& stars, std::vector<Row>& rows, c
   std::vector<Triangle> triangles(start.back());
   std::vector<double> radii(start.back());
   Complex::AtVertices at(stars);
-  parallel_tasks(rows.size(), Stage::Boundary, run, [&](std::size_t r) {
+  parallel_tasks(rows.size(), Stage::Survey, run, [&](std::size_t r) {
     std::size_t id = start[r];
     for (const Agreed& x : rows[r].agreed) {
       triangles[id] = x.triangle;

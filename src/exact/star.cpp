@@ -190,7 +190,7 @@ class StarFinder {
   StarFinder(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
              const std::vector<Frame>& frames, const Run& run)
       : points_(points), neighbours_(neighbours), spacing_(spacing), frames_(frames), weight_(points.size()) {
-    parallel_for_each(points.size(), Stage::Boundary, run,
+    parallel_for_each(points.size(), Stage::Survey, run,
                       [&](Index i) { weight_[i] = tie_weight(points[i], spacing[i]); });
   }
 
@@ -259,7 +259,7 @@ using OneWay = std::pair<Index, Index>;
 std::vector<OneWay> find_one_way(const Neighbours& neighbours, const std::vector<std::uint8_t>& marked,
                                  const Run& run) {
   auto found =
-      parallel_gather<OneWay>(marked.size(), Stage::Boundary, run, [&](Index i, std::vector<OneWay>& pairs) {
+      parallel_gather<OneWay>(marked.size(), Stage::Survey, run, [&](Index i, std::vector<OneWay>& pairs) {
         const auto ids = neighbours.of(i);
         for (int j = 0; j < neighbours.k; ++j) {
           if (!marked[ids[j]]) continue;
@@ -295,7 +295,7 @@ Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<
   std::vector<std::uint8_t> is_open(count, 0);
   const auto for_each_row = [&](const auto& body) {
     parallel_slices(
-        rows.size(), Stage::Boundary, run,
+        rows.size(), Stage::Survey, run,
         [&](std::size_t first, std::size_t last) {
           for (std::size_t r = first; r < last; ++r) {
             body(rows[r], static_cast<Index>(r * points_in_row),

@@ -57,9 +57,14 @@ void find_loop_of_the_paper(Work& work) {
 
 // Ours: every loop of every component.
 void find_all_loops(Work& work) {
+  Run run = work.run;
+  run.on_progress = [&](Progress progress) {  // which tells where the survey ends
+    if (progress.stage == Stage::Loops) work.clock.follow(Stage::Loops);
+    if (work.run.on_progress) work.run.on_progress(progress);
+  };
   BoundarySurvey found = translate_errors(work, [&] {
     return find_exact_loops(work.arrangement.points, work.neighbours, work.scores, work.options.exact,
-                            work.options.loops.length_exponent, work.run);
+                            work.options.loops.length_exponent, run);
   });
   work.loops = std::move(found.loops);
   work.probability = std::move(found.probability);
@@ -84,7 +89,7 @@ void find_loops(Work& work) {
   work.scores = score_boundary(work.arrangement.points, work.neighbours, work.options.boundary, work.run);
   report_assumptions(work);
   check_not_on_lines(work.scores);
-  work.clock.enter(Stage::Loops);
+  work.clock.enter(work.is_paper() ? Stage::Loops : Stage::Survey);
   if (!work.is_paper()) {
     find_all_loops(work);
   } else if (work.given.loops.empty()) {

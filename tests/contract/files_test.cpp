@@ -546,6 +546,7 @@ TEST_CASE("every key of REPORT.json is in docs/formats.md, and every stage has i
       CAPTURE(stage);
       CHECK(stages.contains(stage));
     }
+    CHECK(stages.contains("survey") == (preset == "default"));
   }
 }
 

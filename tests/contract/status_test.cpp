@@ -229,7 +229,7 @@ TEST_CASE("status 5: Ctrl-C while a stage runs ends it and leaves no file") {
   const Folder folder;
   const std::string input = sample(folder, "bumpy-square", "200000");
   for (const int signal : {SIGINT, SIGTERM}) {
-    for (const std::string stage : {"neighbours", "boundary", "loops"}) {
+    for (const std::string stage : {"neighbours", "boundary", "survey", "loops"}) {
       const Finished stopped = run(
           {.arguments = {"reconstruct", input, "-o", folder / "mesh.ply", "--loops", folder / "loops.json"},
            .terminal = true,
@@ -247,7 +247,7 @@ TEST_CASE("status 5: Ctrl-C while a stage runs ends it and leaves no file") {
 TEST_CASE("status 5: every stage stops by itself, before the next begins and without the deadline") {
   const Folder folder;
   const std::string input = sample(folder, "bumpy-square", "60000");
-  const Names stages = {"neighbours",  "boundary", "loops",   "parameterize",
+  const Names stages = {"neighbours",  "boundary", "survey",  "loops", "parameterize",
                         "triangulate", "refine",   "measure", "write"};
   const auto stops = [&](const std::string& preset, const std::string& stage) {
     const Finished stopped =
@@ -266,7 +266,8 @@ TEST_CASE("status 5: every stage stops by itself, before the next begins and wit
     const auto at = std::find(stages.begin(), stages.end(), stage);
     for (auto later = at + 1; later < stages.end(); ++later) CHECK(!contains(stopped.err, "\033[K" + *later));
   };
-  for (const std::string stage : {"neighbours", "boundary", "loops", "refine"}) stops("default", stage);
+  for (const std::string stage : {"neighbours", "boundary", "survey", "loops", "refine"})
+    stops("default", stage);
   for (const std::string stage : {"loops", "parameterize", "triangulate"}) stops("paper", stage);
 }
 
