@@ -15,6 +15,8 @@ struct TriangleMap {
   double area = 0, uv_area = 0;  // uv_area without its sign
   double angle = 0;              // mean difference over the corners
   double square = 0, most = 0;   // of the singular values from uv to space: mean square, larger one squared
+  double ratio = 0, log_ratio = 0;  // of the areas, once the scale is known; log_ratio without its sign
+  double stretch = 0;               // the larger singular value, once the scale is known
 };
 
 // The map from uv to space is linear on the triangle; a, b, c are its metric in uv (Sander et al. 2001).
@@ -50,17 +52,23 @@ struct Sums {
   }
 };
 
-void add(const TriangleMap& map, double scale, Sums& sums) {
+void set_scale(double scale, TriangleMap& map) {
+  map.ratio = map.area > 0 ? map.uv_area / map.area * scale * scale : 1;
+  map.log_ratio = std::abs(std::log(map.ratio));
+  map.square = map.square / (scale * scale);
+  map.stretch = std::sqrt(map.most) / scale;
+}
+
+void add(const TriangleMap& map, Sums& sums) {
   sums.any = true;
   sums.angle += map.angle * map.area;
   sums.angle_most = std::max(sums.angle_most, map.angle);
   if (map.area == 0) return;  // has no ratio
-  const double ratio = map.uv_area / map.area * scale * scale;
-  sums.ratio_least = std::min(sums.ratio_least, ratio);
-  sums.ratio_most = std::max(sums.ratio_most, ratio);
-  sums.log_ratio += std::abs(std::log(ratio)) * map.area;
-  sums.square += map.square / (scale * scale) * map.area;
-  sums.stretch = std::max(sums.stretch, std::sqrt(map.most) / scale);
+  sums.ratio_least = std::min(sums.ratio_least, map.ratio);
+  sums.ratio_most = std::max(sums.ratio_most, map.ratio);
+  sums.log_ratio += map.log_ratio * map.area;
+  sums.square += map.square * map.area;
+  sums.stretch = std::max(sums.stretch, map.stretch);
 }
 
 void resize(Distortion::Values& values, std::size_t count, float value) {
@@ -68,26 +76,40 @@ void resize(Distortion::Values& values, std::size_t count, float value) {
     list->assign(count, value);
 }
 
-// The mean over the triangles of each point.
+// The mean over the triangles of each point, in the order of the triangles. Points are taken in ranges, which
+// may be worked on at the same time; each goes through all triangles, which costs less than lists would.
 void spread_to_points(const std::vector<Triangle>& triangles, const std::vector<TriangleMap>& maps,
-                      std::size_t points, Distortion& distortion) {
-  std::vector<double> weight(points, 0);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (const Index v : triangles[t]) weight[v] += maps[t].area;
-  }
-  const auto mean = [&](const std::vector<float>& of_triangle, std::vector<float>& of_point) {
-    std::vector<double> sum(points, 0);
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      if (maps[t].area == 0) continue;
-      for (const Index v : triangles[t]) sum[v] += maps[t].area * of_triangle[t];
-    }
-    of_point.resize(points);
-    for (std::size_t v = 0; v < points; ++v) of_point[v] = static_cast<float>(sum[v] / weight[v]);
+                      std::size_t points, const Run& run, Distortion& distortion) {
+  constexpr std::size_t ranges = 4;
+  const Distortion::Values& from = distortion.triangle;
+  Distortion::Values& to = distortion.point;
+  resize(to, points, 0);
+  struct Sum {
+    double weight = 0, angle = 0, area = 0, stretch = 0, max_stretch = 0;
   };
-  mean(distortion.triangle.angle, distortion.point.angle);
-  mean(distortion.triangle.area, distortion.point.area);
-  mean(distortion.triangle.stretch, distortion.point.stretch);
-  mean(distortion.triangle.max_stretch, distortion.point.max_stretch);
+  parallel_tasks(ranges, Stage::Measure, run, [&](std::size_t r) {
+    const std::size_t first = points * r / ranges, last = points * (r + 1) / ranges;
+    std::vector<Sum> sums(last - first);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const double weight = maps[t].area;
+      for (const Index v : triangles[t]) {
+        const std::size_t at = static_cast<std::size_t>(v) - first;
+        if (at >= sums.size() || weight == 0) continue;
+        sums[at].weight += weight;
+        sums[at].angle += weight * from.angle[t];
+        sums[at].area += weight * from.area[t];
+        sums[at].stretch += weight * from.stretch[t];
+        sums[at].max_stretch += weight * from.max_stretch[t];
+      }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      const Sum& sum = sums[i];
+      to.angle[first + i] = static_cast<float>(sum.angle / sum.weight);
+      to.area[first + i] = static_cast<float>(sum.area / sum.weight);
+      to.stretch[first + i] = static_cast<float>(sum.stretch / sum.weight);
+      to.max_stretch[first + i] = static_cast<float>(sum.max_stretch / sum.weight);
+    }
+  });
 }
 
 }  // namespace
@@ -109,18 +131,20 @@ Distortion measure_distortion(Points points, const std::vector<Triangle>& triang
   Sums whole;
   for (const Sums& part : parts) whole.area += part.area;
   resize(result.triangle, triangles.size(), 0);
-  for (std::size_t t = 0; t < maps.size(); ++t) {
-    Sums& part = parts[component_of(t)];
+  parallel_for_each(triangles.size(), Stage::Measure, run, [&](Index t) {
+    const Sums& part = parts[component_of(t)];
     const double scale = part.uv_area > 0 ? std::sqrt(part.area / part.uv_area) : 1;
-    add(maps[t], scale, part);
-    add(maps[t], scale, whole);
-    result.triangle.angle[t] = static_cast<float>(maps[t].angle);
-    result.triangle.area[t] =
-        static_cast<float>(maps[t].area > 0 ? maps[t].uv_area / maps[t].area * scale * scale : 1);
     result.triangle.stretch[t] = static_cast<float>(std::sqrt(maps[t].square) / scale);
-    result.triangle.max_stretch[t] = static_cast<float>(std::sqrt(maps[t].most) / scale);
+    set_scale(scale, maps[t]);
+    result.triangle.angle[t] = static_cast<float>(maps[t].angle);
+    result.triangle.area[t] = static_cast<float>(maps[t].ratio);
+    result.triangle.max_stretch[t] = static_cast<float>(maps[t].stretch);
+  });
+  for (std::size_t t = 0; t < maps.size(); ++t) {
+    add(maps[t], parts[component_of(t)]);
+    add(maps[t], whole);
   }
-  spread_to_points(triangles, maps, points.size(), result);
+  spread_to_points(triangles, maps, points.size(), run, result);
   result.whole = whole.summary();
   for (const Sums& part : parts) result.components.push_back(part.summary());
   return result;

@@ -4,7 +4,6 @@
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "parallel.h"
 
@@ -43,12 +42,18 @@ TriangleTree::TriangleTree(Points points, const std::vector<Triangle>& triangles
   const auto count = static_cast<Index>(triangles.size());
   boxes_.resize(triangles.size());
   order_.resize(triangles.size());
-  std::iota(order_.begin(), order_.end(), 0);
   nodes_.resize(count_nodes(count));
+  std::vector<Item> items(triangles.size());
   tbb::task_arena arena(thread_count(run));
   arena.execute([&] {
-    tbb::parallel_for(Index{0}, count, [&](Index t) { boxes_[t] = box_of(points, triangles[t]); });
-    build(0, 0, count);
+    tbb::parallel_for(tbb::blocked_range<Index>(0, count, 4096), [&](const auto& range) {
+      for (Index t = range.begin(); t < range.end(); ++t) {
+        const Box& box = boxes_[t] = box_of(points, triangles[t]);
+        items[t].triangle = t;
+        for (int i = 0; i < 3; ++i) items[t].place[i] = box.low[i] + box.high[i];
+      }
+    });
+    build(items, 0, 0, count);
   });
 }
 
@@ -64,33 +69,48 @@ Index TriangleTree::count_nodes(Index triangles) {
 
 // As deep as the logarithm of the count: halved evenly. Nodes follow their parent, the left ones first; as
 // their number is known, both halves may be built at once.
-void TriangleTree::build(Index id, Index begin, Index end) {
+void TriangleTree::build(std::vector<Item>& items, Index id, Index begin, Index end) {
   constexpr Index alone = 4096;  // triangles that are not worth a second thread
   Node& node = nodes_[id];
-  node = {boxes_[order_[begin]], begin, end};
-  for (Index i = begin + 1; i < end; ++i) node.box.include(boxes_[order_[i]]);
-  if (end - begin <= leaf_size) return;
+  node.begin = begin;
+  node.end = end;
+  if (end - begin <= leaf_size) {
+    node.box = boxes_[items[begin].triangle];
+    for (Index i = begin; i < end; ++i) {
+      order_[i] = items[i].triangle;
+      node.box.include(boxes_[items[i].triangle]);
+    }
+    return;
+  }
+  std::array<double, 3> low = items[begin].place, high = low;
+  for (Index i = begin + 1; i < end; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], items[i].place[k]);
+      high[k] = std::max(high[k], items[i].place[k]);
+    }
+  }
   int side = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (node.box.high[i] - node.box.low[i] > node.box.high[side] - node.box.low[side]) side = i;
+  for (int k = 1; k < 3; ++k) {
+    if (high[k] - low[k] > high[side] - low[side]) side = k;
   }
   const Index middle = begin + (end - begin) / 2;
-  const auto place = [&](Index t) { return boxes_[t].low[side] + boxes_[t].high[side]; };
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                   [&](Index s, Index t) {
-                     const double a = place(s), b = place(t);
-                     return a < b || (a == b && s < t);
+  std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end,
+                   [side](const Item& s, const Item& t) {
+                     const double a = s.place[side], b = t.place[side];
+                     return a < b || (a == b && s.triangle < t.triangle);
                    });
   node.left = id + 1;
   node.right = node.left + node_count_.at(middle - begin);
-  const auto build_left = [&] { build(node.left, begin, middle); };
-  const auto build_right = [&] { build(node.right, middle, end); };
+  const auto build_left = [&] { build(items, node.left, begin, middle); };
+  const auto build_right = [&] { build(items, node.right, middle, end); };
   if (end - begin > alone) {
     tbb::parallel_invoke(build_left, build_right);
   } else {
     build_left();
     build_right();
   }
+  node.box = nodes_[node.left].box;
+  node.box.include(nodes_[node.right].box);
 }
 
 }  // namespace rimline

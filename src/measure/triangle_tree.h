@@ -22,8 +22,8 @@ struct Box {
 
 Box box_of(Points points, const Triangle& t);
 
-// A complete binary tree, halved at the median of the longest side of each box down to leaves of at most
-// `leaf_size` triangles. Deterministic.
+// A complete binary tree, halved at the median along the longest side of the boxes' middles down to leaves of
+// at most `leaf_size` triangles. Deterministic.
 class TriangleTree {
  public:
   static constexpr Index leaf_size = 8;
@@ -43,8 +43,14 @@ class TriangleTree {
   const Box& box(Index triangle) const { return boxes_[triangle]; }
 
  private:
+  // A triangle while the tree is built: side by side they are told apart faster than by way of their ids.
+  struct Item {
+    std::array<double, 3> place;  // the middle of its box, twice
+    Index triangle;
+  };
+
   Index count_nodes(Index triangles);
-  void build(Index id, Index begin, Index end);
+  void build(std::vector<Item>& items, Index id, Index begin, Index end);
 
   std::map<Index, Index> node_count_;  // nodes of a tree, by its triangles
   std::vector<Box> boxes_;

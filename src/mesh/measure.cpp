@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -127,14 +128,15 @@ std::size_t count_pieces(const std::vector<VertexCounts>& slices, std::size_t po
   return vertices - joins;
 }
 
-std::size_t count_components(const std::vector<Triangle>& triangles, std::size_t points, std::size_t used) {
+// By how many the points used are more than the components.
+std::size_t count_joins(const std::vector<Triangle>& triangles, std::size_t points) {
   UnionFind components(points);
   std::size_t joins = 0;
   for (const auto& [a, b, c] : triangles) {
     joins += components.join(a, b);
     joins += components.join(b, c);
   }
-  return used - joins;
+  return joins;
 }
 
 // What a slice of the triangles adds to the summary.
@@ -186,9 +188,8 @@ void measure_triangles(Points points, std::span<const Triangle> triangles, std::
   }
 }
 
-void measure_vertices(Points points, const std::vector<Triangle>& triangles, std::span<const double> spacing,
-                      const Run& run, MeshSummary& summary) {
-  const Corners corners(triangles, points.size());
+void measure_vertices(Points points, const Corners& corners, std::span<const double> spacing, const Run& run,
+                      MeshSummary& summary) {
   std::vector<VertexCounts> slices(slice_count(points.size()));
   parallel_tasks(slices.size(), Stage::Measure, run, [&](std::size_t k) {
     slices[k] =
@@ -211,10 +212,21 @@ MeshSummary measure_mesh(Points points, const std::vector<Triangle>& triangles,
                          std::span<const double> spacing, std::span<const UV> uv, const Run& run) {
   MeshSummary summary;
   summary.triangles = triangles.size();
-  measure_vertices(points, triangles, spacing, run, summary);
+  // One thread each, at the same time.
+  std::optional<Corners> corners;
+  std::size_t joins = 0;
+  parallel_tasks(2, Stage::Measure, run, [&](std::size_t task) {
+    if (task == 0) {
+      corners.emplace(triangles, points.size());
+    } else {
+      joins = count_joins(triangles, points.size());
+    }
+  });
+  run.check_cancel();
+  measure_vertices(points, *corners, spacing, run, summary);
   summary.euler = static_cast<long long>(summary.points_used) - static_cast<long long>(summary.edges) +
                   static_cast<long long>(triangles.size());
-  summary.components = count_components(triangles, points.size(), summary.points_used);
+  summary.components = summary.points_used - joins;
   measure_triangles(points, triangles, uv, run, summary);
   return summary;
 }
