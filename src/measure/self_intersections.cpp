@@ -65,6 +65,7 @@ void search_group(Points points, const std::vector<Triangle>& triangles, const T
     if (!tree.box(s).meets(tree.box(t)) || plainly_apart(points, triangles[s], triangles[t])) return;
     if (triangles_meet(points, triangles[s], triangles[t])) found.push_back({std::min(s, t), std::max(s, t)});
   };
+  std::vector<Index> within;
   std::vector<Pair> open = {{group, 0}};
   while (!open.empty()) {
     const auto [a, b] = open.back();
@@ -72,8 +73,15 @@ void search_group(Points points, const std::vector<Triangle>& triangles, const T
     const TriangleTree::Node &own = nodes[a], &other = nodes[b];
     if (other.end <= own.begin || !own.box.meets(other.box)) continue;
     if (own.is_leaf() && other.is_leaf()) {
+      within.clear();  // few triangles of two leaves side by side reach into both
+      for (Index j = other.begin; j < other.end; ++j) {
+        if (own.box.meets(tree.box(tree.order()[j]))) within.push_back(j);
+      }
       for (Index i = own.begin; i < own.end; ++i) {
-        for (Index j = std::max(other.begin, i + 1); j < other.end; ++j) compare(i, j);
+        if (!other.box.meets(tree.box(tree.order()[i]))) continue;
+        for (const Index j : within) {
+          if (j > i) compare(i, j);
+        }
       }
     } else if (own.is_leaf() || (!other.is_leaf() && other.end - other.begin >= own.end - own.begin)) {
       open.push_back({a, other.left});

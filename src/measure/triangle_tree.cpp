@@ -9,18 +9,6 @@
 
 namespace rimline {
 
-void Box::include(const Box& other) {
-  for (int i = 0; i < 3; ++i) {
-    low[i] = std::min(low[i], other.low[i]);
-    high[i] = std::max(high[i], other.high[i]);
-  }
-}
-
-bool Box::meets(const Box& other) const {
-  return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
-         other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
-}
-
 double Box::squared_distance(Point p) const {
   const std::array<double, 3> at{p.x, p.y, p.z};
   double sum = 0;

@@ -2,6 +2,7 @@
 // Triangles in a tree of boxes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <vector>
@@ -15,8 +16,18 @@ namespace rimline {
 struct Box {
   std::array<double, 3> low{}, high{};
 
-  void include(const Box& other);
-  bool meets(const Box& other) const;
+  void include(const Box& other) {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], other.low[i]);
+      high[i] = std::max(high[i], other.high[i]);
+    }
+  }
+  // Without branches between the sides: which of them parts two boxes can not be guessed.
+  bool meets(const Box& other) const {
+    bool meets = true;
+    for (int i = 0; i < 3; ++i) meets &= (low[i] <= other.high[i]) & (other.low[i] <= high[i]);
+    return meets;
+  }
   double squared_distance(Point p) const;
 };
 

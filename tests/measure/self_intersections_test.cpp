@@ -30,6 +30,45 @@ TEST_CASE("the pairs found are those that exact predicates find among all pairs"
   }
 }
 
+namespace {
+
+std::vector<std::array<Index, 2>> among_all_pairs(Points points, const std::vector<Triangle>& triangles) {
+  std::vector<std::array<Index, 2>> all;
+  for (Index i = 0; i < static_cast<Index>(triangles.size()); ++i) {
+    for (Index j = i + 1; j < static_cast<Index>(triangles.size()); ++j) {
+      if (triangles_meet(points, triangles[i], triangles[j])) all.push_back({i, j});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("meshes from smooth to crumpled have the pairs that are found among all pairs") {
+  constexpr int side = 12;
+  Random random(3);
+  for (const double crumpled : {0.0, 0.2, 0.5, 0.8, 1.5}) {
+    std::vector<Point> points;
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < side * side; ++i) {
+      const auto off = [&] { return crumpled * (random.uniform() - 0.5); };
+      const double x = i % side, y = i / side;
+      points.push_back({x + off(), y + off(), 0.1 * x * x + off()});
+    }
+    for (Index y = 0; y + 1 < side; ++y) {
+      for (Index x = 0; x + 1 < side; ++x) {
+        const Index a = y * side + x, b = a + 1, c = a + side, d = c + 1;
+        triangles.push_back({a, b, d});
+        triangles.push_back({a, d, c});
+      }
+    }
+    const auto all = among_all_pairs(points, triangles);
+    if (crumpled == 0) CHECK(all.empty());
+    if (crumpled == 1.5) CHECK(all.size() > 3);
+    CHECK(find_self_intersections(points, triangles, {}) == all);
+  }
+}
+
 TEST_CASE("neighbours in a mesh do not count as meeting, but a fold flat over its edge does") {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.9, 0.9, 0}};
   CHECK(find_self_intersections(points, {{0, 1, 2}, {1, 3, 2}}, {}).empty());
