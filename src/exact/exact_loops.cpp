@@ -126,7 +126,7 @@ class Survey {
     // Rims that turn out to be even all along are likely so where they seem not to be: looked for once more,
     // with that known. Noise blurs what is even.
     if (blur_.noise == 0 && o.generations > 0) {
-      known = {evenness(points_, walk_rims(complex_, kept_)), kept_};
+      known = {evenness(points_, walk_rims(complex_, kept_, run_)), kept_};
       look(o, barred, known);
     }
     // The large triangles that are gone had turned edges of the rim; with them out of the way the notches
@@ -171,7 +171,7 @@ class Survey {
   std::vector<std::uint8_t> bar_gaps() const {
     const Kept all(complex_.size(), 1);
     std::vector<std::uint8_t> barred(points_.size(), 0);
-    for (const auto& loop : walk_rims(complex_, all)) {
+    for (const auto& loop : walk_rims(complex_, all, run_)) {
       if (loop.size() < least_gap || rim_probability(loop, all) >= 0.5) continue;
       for (const Index v : loop) barred[v] = 1;
     }
@@ -185,7 +185,7 @@ class Survey {
   }
 
   std::vector<std::vector<Index>> boundary_rims() const {
-    std::vector<std::vector<Index>> rims = walk_rims(complex_, kept_);
+    std::vector<std::vector<Index>> rims = walk_rims(complex_, kept_, run_);
     std::erase_if(rims, [&](const auto& rim) {
       return static_cast<int>(rim.size()) < options_.min_loop ||
              boundary_probability(rim) < options_.min_probability;
@@ -253,7 +253,7 @@ class Survey {
   }
 
   void collect_loops() {
-    for (auto& ids : walk_rims(complex_, kept_)) {
+    for (auto& ids : walk_rims(complex_, kept_, run_)) {
       Candidate c;
       const Index t = triangle_at(ids[0], ids[1]);
       c.loop.component = sheets_.of_triangle[t];

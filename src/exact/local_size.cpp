@@ -14,11 +14,6 @@ namespace {
 
 std::array<std::size_t, 3> ranks_among(std::size_t n) { return {n / 4, 5 * n / 8, 3 * n / 4}; }
 
-LocalSize size_of(const std::array<double, 3>& at_ranks) {
-  const auto [lower, typical, upper] = at_ranks;
-  return {typical, (upper - lower) / typical};
-}
-
 }  // namespace
 
 const LocalSize& LocalSizes::at(Index vertex) {
@@ -34,27 +29,16 @@ LocalSize LocalSizes::measure(Index vertex, std::vector<double>& radii) const {
   };
   take(vertex);
   for (const Index v : neighbours_.of(vertex, std::min(around, neighbours_.k))) take(v);
-  return radii.empty() ? alone(vertex) : size_of(at_ranks(radii, ranks_among(radii.size())));
-}
-
-LocalSize LocalSizes::alone(Index vertex) const { return {neighbours_.distances_of(vertex)[0], 0}; }
-
-std::span<const Index> LocalSizes::vertices_around(Index vertex, std::vector<Index>& vertices) const {
-  const auto near = neighbours_.of(vertex, std::min(around, neighbours_.k));
-  vertices.assign(1, vertex);
-  vertices.insert(vertices.end(), near.begin(), near.end());
-  return vertices;
+  if (radii.empty()) return {neighbours_.distances_of(vertex)[0], 0};
+  const auto [lower, typical, upper] = at_ranks(radii, ranks_among(radii.size()));
+  return {typical, (upper - lower) / typical};
 }
 
 void LocalSizes::find(const std::function<bool(Index)>& wanted, const Run& run) {
-  const StarLevels levels(complex_, run);
   parallel_slices(known_.size(), Stage::Loops, run, [&](std::size_t begin, std::size_t end) {
-    StarLevels::Search search(levels);
-    std::vector<Index> vertices;
+    std::vector<double> radii;
     for (Index v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
-      if (known_[v].typical >= 0 || !wanted(v)) continue;
-      const std::size_t n = search.take(vertices_around(v, vertices));
-      known_[v] = n == 0 ? alone(v) : size_of(search.radii_at(ranks_among(n)));
+      if (known_[v].typical < 0 && wanted(v)) known_[v] = measure(v, radii);
     }
   });
 }
@@ -67,7 +51,10 @@ void LocalSizes::find_bounds(const std::function<bool(Index)>& wanted, const Run
     std::vector<Index> vertices;
     for (Index v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
       if (least_[v].typical >= 0 || !wanted(v)) continue;
-      const std::size_t n = search.take(vertices_around(v, vertices));
+      const auto near = neighbours_.of(v, std::min(around, neighbours_.k));
+      vertices.assign(1, v);
+      vertices.insert(vertices.end(), near.begin(), near.end());
+      const std::size_t n = search.take(vertices);
       if (n == 0) continue;
       const auto [lower, typical, upper] = search.levels_at(ranks_among(n));
       const double spread = (levels.least(upper) - levels.above(lower)) / levels.above(typical);

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "exact/complex.h"
@@ -47,8 +46,6 @@ class LocalSizes {
   static constexpr int around = 16;  // nearest neighbours whose triangles count
 
   LocalSize measure(Index vertex, std::vector<double>& radii) const;
-  LocalSize alone(Index vertex) const;  // of a vertex that has no triangle around it
-  std::span<const Index> vertices_around(Index vertex, std::vector<Index>& vertices) const;
 
   const Complex& complex_;
   const Neighbours& neighbours_;

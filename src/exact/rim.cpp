@@ -3,6 +3,8 @@
 
 #include <unordered_map>
 
+#include "parallel.h"
+
 namespace rimline::exact {
 namespace {
 
@@ -40,7 +42,17 @@ Index walk_fan(const Complex& complex, const Kept& kept, Index vertex, Index t, 
   return t;
 }
 
-std::vector<std::vector<Index>> walk_rims(const Complex& complex, const Kept& kept) {
+std::vector<std::vector<Index>> walk_rims(const Complex& complex, const Kept& kept, const Run& run) {
+  struct Side {
+    Index triangle;
+    int corner;  // that the rim's edge leaves
+  };
+  const auto sides =
+      parallel_gather<Side>(complex.size(), Stage::Loops, run, [&](Index t, std::vector<Side>& found) {
+        for (int i = 0; kept[t] && i < 3; ++i) {
+          if (if_kept(kept, complex.across(t, i)) == none) found.push_back({t, i});
+        }
+      });
   std::vector<std::uint8_t> seen(complex.size(), 0);  // one bit per edge of a triangle
   const auto bit_of = [&](Index t, Index a, Index b) {
     const Triangle& x = complex.triangle(t);
@@ -50,22 +62,18 @@ std::vector<std::vector<Index>> walk_rims(const Complex& complex, const Kept& ke
     return 0;
   };
   std::vector<std::vector<Index>> loops;
-  for (Index t = 0; t < complex.size(); ++t) {
-    if (!kept[t]) continue;
-    for (int i = 0; i < 3; ++i) {
-      Index a = complex.triangle(t)[i], b = complex.triangle(t)[(i + 1) % 3], at = t;
-      if (if_kept(kept, complex.across(t, i)) != none) continue;
-      std::vector<Index> walk;
-      while (!(seen[at] & bit_of(at, a, b))) {
-        seen[at] |= bit_of(at, a, b);
-        walk.push_back(a);
-        Index next;
-        at = walk_fan(complex, kept, b, at, a, next);
-        a = b;
-        b = next;
-      }
-      if (!walk.empty()) split_simple(walk, loops);
+  for (const auto& [t, i] : sides) {
+    Index a = complex.triangle(t)[i], b = complex.triangle(t)[(i + 1) % 3], at = t;
+    std::vector<Index> walk;
+    while (!(seen[at] & bit_of(at, a, b))) {
+      seen[at] |= bit_of(at, a, b);
+      walk.push_back(a);
+      Index next;
+      at = walk_fan(complex, kept, b, at, a, next);
+      a = b;
+      b = next;
     }
+    if (!walk.empty()) split_simple(walk, loops);
   }
   return loops;
 }

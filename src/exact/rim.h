@@ -19,6 +19,6 @@ Index walk_fan(const Complex& complex, const Kept& kept, Index vertex, Index t, 
 
 // The loops of the kept triangles' rim, each simple: a rim that meets itself in a pinch is split there.
 // Each is directed as the triangle at its first edge is oriented (surface on the left).
-std::vector<std::vector<Index>> walk_rims(const Complex& complex, const Kept& kept);
+std::vector<std::vector<Index>> walk_rims(const Complex& complex, const Kept& kept, const Run& run = {});
 
 }  // namespace rimline::exact

@@ -49,8 +49,7 @@ std::size_t sum_of(const Block& lanes) {
 }  // namespace
 
 StarLevels::StarLevels(const Complex& complex, const Run& run)
-    : complex_(complex),
-      lowest_(std::max(0, middle_step(complex) - last_level / 2)),
+    : lowest_(std::max(0, middle_step(complex) - last_level / 2)),
       start_(static_cast<std::size_t>(complex.vertices()) + 1, 0) {
   for (Index v = 0; v < complex.vertices(); ++v) {
     start_[v + 1] = start_[v] + static_cast<std::uint32_t>(complex.star(v).size());
@@ -71,7 +70,6 @@ double StarLevels::above(int level) const {
 }
 
 std::size_t StarLevels::Search::take(std::span<const Index> vertices) {
-  vertices_ = vertices;
   size_ = 0;
   for (const Index v : vertices) {
     const std::uint32_t first = levels_.start_[v], count = levels_.start_[v + 1] - first;
@@ -133,28 +131,6 @@ std::array<int, 3> StarLevels::Search::levels_at(const std::array<std::size_t, 3
     }
     if (!moved) return last_;
   }
-}
-
-// Sorts the radii of one level.
-void StarLevels::Search::gather(int level) {
-  inside_.clear();
-  std::size_t i = 0;
-  for (const Index v : vertices_) {
-    for (const Index t : levels_.complex_.star(v)) {
-      if (level_[i++] == level) inside_.push_back(levels_.complex_.radius(t));
-    }
-  }
-  std::sort(inside_.begin(), inside_.end());
-}
-
-std::array<double, 3> StarLevels::Search::radii_at(const std::array<std::size_t, 3>& ranks) {
-  const std::array<int, 3> levels = levels_at(ranks);
-  std::array<double, 3> result;
-  for (std::size_t r = 0; r < 3; ++r) {
-    if (r == 0 || levels[r] != levels[r - 1]) gather(levels[r]);
-    result[r] = inside_[ranks[r] - count_below(levels[r])];
-  }
-  return result;
 }
 
 }  // namespace rimline::exact

@@ -14,8 +14,8 @@
 namespace rimline::exact {
 
 // The radii of all stars in 256 levels, sixteen an octave, a byte each and star after star. A radius is in
-// the surroundings of some twenty points, so it pays to look at bytes first, and at the radii of a level only
-// where the level does not tell enough.
+// the surroundings of some twenty points, so it pays to look at bytes first, and at radii only where the
+// levels do not tell enough.
 class StarLevels {
  public:
   StarLevels(const Complex& complex, const Run& run);
@@ -34,24 +34,18 @@ class StarLevels {
     std::size_t take(std::span<const Index> vertices);
     // The levels at three ascending ranks, from 0, below that number.
     std::array<int, 3> levels_at(const std::array<std::size_t, 3>& ranks);
-    // The radii at these ranks. Exact: the same as sorting.
-    std::array<double, 3> radii_at(const std::array<std::size_t, 3>& ranks);
 
    private:
     std::size_t count_below(int level) const;
     std::array<std::size_t, 3> counts_below(const std::array<int, 3>& levels) const;
-    void gather(int level);
 
     const StarLevels& levels_;
-    std::span<const Index> vertices_;
     std::size_t size_ = 0;
     std::vector<std::uint8_t> level_;         // of each triangle
     std::array<int, 3> last_{128, 128, 128};  // the levels found before, near which the next ones are sought
-    std::vector<double> inside_;              // the radii of one level, ascending
   };
 
  private:
-  const Complex& complex_;
   int lowest_ = 0;                    // the first level, as the bits of a number say it
   std::vector<std::uint32_t> start_;  // of each vertex's star in level_
   std::vector<std::uint8_t> level_;

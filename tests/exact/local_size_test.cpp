@@ -97,8 +97,7 @@ TEST_CASE("sizes found for all at once, and kept over changes elsewhere, are tho
   CHECK(differences(complex, neighbours, sizes) == 0);
 }
 
-TEST_CASE(
-    "levels of stars bracket the radii at ranks, and the radii found through them are those of sorting") {
+TEST_CASE("levels of stars bracket the radii at ranks, of any number of stars") {
   const auto points = random_sheet(2000);
   const Neighbours neighbours = find_neighbours(points, 40, {});
   const auto frames = fit_frames(points, neighbours, {});
@@ -120,11 +119,9 @@ TEST_CASE(
     if (n == 0) continue;
     const std::array<std::size_t, 3> ranks{n / 4, 5 * n / 8, n - 1};
     const auto level = search.levels_at(ranks);
-    const auto radius = search.radii_at(ranks);
     for (int i = 0; i < 3; ++i) {
-      REQUIRE(radius[i] == sorted[ranks[i]]);
-      REQUIRE(levels.least(level[i]) <= radius[i]);
-      REQUIRE(levels.above(level[i]) > radius[i]);
+      REQUIRE(levels.least(level[i]) <= sorted[ranks[i]]);
+      REQUIRE(levels.above(level[i]) > sorted[ranks[i]]);
     }
   }
 }
