@@ -122,11 +122,11 @@ class Survey {
     }
     KnownRims known;
     const std::vector<std::uint8_t> barred = bar_gaps();
-    look(o, barred, known);
+    std::vector<Index> doubts = look(o, barred, known);
     // Rims that turn out to be even all along are likely so where they seem not to be: looked for once more,
     // with that known. Noise blurs what is even.
     if (blur_.noise == 0 && o.generations > 0) {
-      known = {evenness(points_, walk_rims(complex_, kept_, run_)), kept_};
+      known = {evenness(points_, walk_rims(complex_, kept_, run_)), kept_, std::move(doubts)};
       look(o, barred, known);
     }
     // The large triangles that are gone had turned edges of the rim; with them out of the way the notches
@@ -136,11 +136,12 @@ class Survey {
     look(o, bar_gaps(), known);
   }
 
-  void look(const RimSearchOptions& options, const std::vector<std::uint8_t>& barred,
-            const KnownRims& known) {
+  // Returns the triangles that it doubted.
+  std::vector<Index> look(const RimSearchOptions& options, const std::vector<std::uint8_t>& barred,
+                          const KnownRims& known) {
     RimSearchResult found = search_rim(complex_, sizes_, barred, known, options, run_);
     RimSearchSummary& summary = result_.search;
-    summary.doubtful += found.doubtful;
+    summary.doubtful += found.doubts.size();
     summary.groups += found.groups;
     summary.greedy += found.greedy;
     summary.best += found.best;
@@ -149,6 +150,7 @@ class Survey {
       summary.history[i].mean += found.history_mean[i];
     }
     kept_ = std::move(found.kept);
+    return std::move(found.doubts);
   }
 
   void keep_and_mend() {

@@ -120,10 +120,12 @@ std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
 }
 
 Doubt collect(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
-              const std::vector<double>& evenness, const RimSearchOptions& options, const Run& run) {
+              const KnownRims& known, const RimSearchOptions& options, const Run& run) {
+  const std::vector<double>& evenness = known.evenness;
   Doubt doubt;
   const RimWeights& w = options.weights;
-  doubt.triangles = doubtful_triangles(complex, sizes, barred, options.doubtful, run);
+  doubt.triangles =
+      known.kept.empty() ? doubtful_triangles(complex, sizes, barred, options.doubtful, run) : known.doubts;
   for (const Index t : doubt.triangles) {
     const double ratio = sizes.log_ratio(complex.triangle(t));
     doubt.log_ratio.push_back(ratio);
@@ -486,10 +488,10 @@ RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std:
                            const KnownRims& known, const RimSearchOptions& options, const Run& run) {
   RimSearchResult result;
   result.kept.assign(complex.size(), 1);
-  const Doubt doubt = collect(complex, sizes, barred, known.evenness, options, run);
+  const Doubt doubt = collect(complex, sizes, barred, known, options, run);
   const Corners corners(complex, doubt.vertices);
   const std::vector<Group> groups = group(doubt);
-  result.doubtful = doubt.triangles.size();
+  result.doubts = doubt.triangles;
   result.groups = groups.size();
   result.history_best.assign(options.generations, 0);
   result.history_mean.assign(options.generations, 0);

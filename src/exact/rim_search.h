@@ -21,7 +21,7 @@ struct RimSearchOptions {
 
 struct RimSearchResult {
   Kept kept;
-  std::size_t doubtful = 0;  // bits over all chromosomes
+  std::vector<Index> doubts;  // the doubtful triangles, ascending: the bits of all chromosomes
   std::size_t groups = 0;
   double greedy = 0, best = 0;                     // fitness
   std::vector<double> history_best, history_mean;  // per generation, summed over the groups
@@ -30,6 +30,7 @@ struct RimSearchResult {
 struct KnownRims {
   std::vector<double> evenness;  // of the rim at each vertex, 0 to 1; 0 where it is on none. Empty: not known
   Kept kept;  // by a search of the same triangles, taken over where no rim is even. Empty: searched anew
+  std::vector<Index> doubts;  // of that search, with the same `barred`
 };
 
 // A chromosome says of each doubtful triangle whether it is kept. The rim of any set of triangles is a set of
