@@ -52,27 +52,16 @@ bool cross(const Case& c, const Edge& e, const Edge& f) {
 Point middle(const Case& c, const Edge& e) { return 0.5 * (c.points[e.a] + c.points[e.b]); }
 double length(const Case& c, const Edge& e) { return distance(c.points[e.a], c.points[e.b]); }
 
-std::vector<Edge> edges_of(const std::vector<std::vector<Index>>& loops) {
-  std::vector<Edge> edges;
-  for (const auto& loop : loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      edges.push_back(Edge::of(loop[i], loop[(i + 1) % loop.size()]));
-    }
-  }
-  return edges;
-}
-
 }  // namespace
 
 // Edges sorted by the x of their left end: only those that overlap in x, then in y and z, are looked at.
-std::size_t count_crossings(const Case& c, const std::vector<std::vector<Index>>& loops) {
-  const EdgeSet unique = make_set(edges_of(loops));
+std::size_t count_crossings(const Case& c, const EdgeSet& loops) {
   struct Span {
     double low, high;
     Edge edge;
   };
   std::vector<Span> spans;
-  for (const Edge& e : unique) {
+  for (const Edge& e : loops) {
     const double x = middle(c, e).x, half = length(c, e) / 2 + std::max(c.spacing[e.a], c.spacing[e.b]) / 2;
     spans.push_back({x - half, x + half, e});
   }

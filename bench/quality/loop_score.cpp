@@ -106,6 +106,7 @@ void score_edges(const Case& c, const std::vector<EdgeSet>& found, Metrics& m) {
   m["loops_right"] = found.size() == c.loops.size();
   m["loops_exact"] = static_cast<double>(exact);
   m["all_exact"] = found.size() == c.loops.size() && static_cast<std::size_t>(exact) == c.loops.size();
+  m["crossings_of_truth"] = static_cast<double>(count_crossings(c, all_true));
   if (const double truth = length_of(c, all_true); truth > 0) m["length_over_truth"] = m["length"] / truth;
 }
 
@@ -150,7 +151,7 @@ Metrics score_loops(const Case& c, const LoopIds& loops) {
   m["loops_found"] = static_cast<double>(loops.size());
   m["length"] = length;
   m["simple"] = std::all_of(loops.begin(), loops.end(), is_simple);
-  m["crossings"] = static_cast<double>(count_crossings(c, loops));
+  m["crossings"] = static_cast<double>(count_crossings(c, union_of(found)));
   if (c.has_loops) {
     score_edges(c, found, m);
     score_longest(c, loops, found, m);

@@ -25,7 +25,7 @@ Metrics score_points(const Case& c, std::span<const Index> found);
 //   length, length_over_truth, longest_loop_1 .. 4 (share of the edges of the longest true loops that the
 //   best single loop has), longest_within_1 .. 4 (share of their points with a point of the best single loop
 //   within one spacing), simple (no point twice in a loop), crossings (pairs of edges that cross,
-//   crossings.h).
+//   crossings.h), crossings_of_truth.
 Metrics score_loops(const Case& c, const LoopIds& loops);
 
 // Whether 0.9 of the points of a true loop have a point of the found one within one spacing.

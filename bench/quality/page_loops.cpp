@@ -86,7 +86,7 @@ std::string comparison(const Results& results, const std::vector<Line>& lines, c
 
 std::string default_sets(const Results& results) {
   Table table({"set", "points", "points F1", "within a spacing", "edges F1", "loops found / true", "exact",
-               "four longest, within a spacing", "length / truth", "simple", "crossings"});
+               "four longest, within a spacing", "length / truth", "simple", "crossings, of the truth"});
   for (const Row& row : results.rows) {
     if (row.method != default_method || row.name.group != "data") continue;
     const auto value = [&](const char* metric, int digits = 3) {
@@ -102,7 +102,7 @@ std::string default_sets(const Results& results) {
                value("points_f1_within_one_spacing"), value("edges_f1"),
                value("loops_found", 0) + " / " + value("loops_true", 0), value("loops_exact", 0),
                longest.empty() ? "-" : longest, value("length_over_truth"), value("simple", 0),
-               value("crossings", 0)});
+               value("crossings", 0) + ", " + value("crossings_of_truth", 0)});
   }
   return table.markdown();
 }

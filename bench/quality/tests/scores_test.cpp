@@ -126,18 +126,18 @@ TEST_CASE("a bow tie crosses itself once, seen from any side, and a square does 
   Case c = grid_case();
   const std::vector<Index> bow{at(1, 1), at(5, 5), at(5, 1), at(1, 5)};
   const std::vector<Index> square{at(1, 1), at(5, 1), at(5, 5), at(1, 5)};
-  CHECK(count_crossings(c, {bow}) == 1);
-  CHECK(count_crossings(c, {square}) == 0);
+  CHECK(count_crossings(c, edges_of_loop(bow)) == 1);
+  CHECK(count_crossings(c, edges_of_loop(square)) == 0);
   for (Point& p : c.points) p = {p.z, p.x, p.y};
   measure_spacing(c);
-  CHECK(count_crossings(c, {bow}) == 1);
+  CHECK(count_crossings(c, edges_of_loop(bow)) == 1);
 }
 
 TEST_CASE("edges that pass over one another farther than a spacing do not cross") {
   Case c = grid_case();
   for (const Index lift : {at(5, 1), at(1, 5)}) c.points[lift].z = 30;
   const std::vector<Index> bow{at(1, 1), at(5, 5), at(5, 1), at(1, 5)};
-  CHECK(count_crossings(c, {bow}) == 0);
+  CHECK(count_crossings(c, edges_of_loop(bow)) == 0);
 }
 
 TEST_CASE("two loops that share a point are one piece, apart they are two") {
