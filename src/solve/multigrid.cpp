@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "first_touch.h"
 #include "parallel.h"
 #include "solve/blocks.h"
 
@@ -76,6 +77,25 @@ void sweep_backward(const SymmetricMatrix& a, const std::vector<double>& inverse
   });
 }
 
+// Rows of a matrix that blocks of rows have found side by side.
+struct Part {
+  std::vector<Index> columns;
+  std::vector<double> values;
+};
+
+// One after another in two arrays.
+void put_together(const std::vector<Part>& parts, std::vector<Index>& columns, std::vector<double>& values,
+                  const Run& run) {
+  std::vector<std::size_t> start{0};
+  for (const Part& part : parts) start.push_back(start.back() + part.columns.size());
+  resize_together(columns, start.back(), run);
+  resize_together(values, start.back(), run);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t k) {
+    std::ranges::copy(parts[k].columns, columns.begin() + static_cast<std::ptrdiff_t>(start[k]));
+    std::ranges::copy(parts[k].values, values.begin() + static_cast<std::ptrdiff_t>(start[k]));
+  });
+}
+
 bool is_strong(const SymmetricMatrix& a, Index i, Index e, double threshold) {
   const double v = a.values[e];
   return v < 0 && v * v > threshold * threshold * a.diagonal[i] * a.diagonal[a.columns[e]];
@@ -91,12 +111,11 @@ Multigrid::Multigrid(SymmetricMatrix matrix, const Run& run) : run_(run) {
     while (coarsen()) run_.check_cancel();
   });
   for (Level& level : levels_) {
-    const std::size_t n = level.matrix.diagonal.size();
-    level.inverse_diagonal.resize(n);
-    for (std::size_t i = 0; i < n; ++i) level.inverse_diagonal[i] = 1 / level.matrix.diagonal[i];
-    level.b.resize(n);
-    level.x.resize(n);
-    level.residual.resize(n);
+    const Index n = level.matrix.size();
+    resize_together(level.inverse_diagonal, n, run);
+    arena.execute(
+        [&] { for_each_row(n, [&](Index i) { level.inverse_diagonal[i] = 1 / level.matrix.diagonal[i]; }); });
+    for (std::vector<UV>* vector : {&level.b, &level.x, &level.residual}) resize_together(*vector, n, run);
   }
   if (levels_.back().matrix.size() <= 4 * coarsest_size) factorize_coarsest();
 }
@@ -154,7 +173,7 @@ std::vector<Index> Multigrid::aggregate(const SymmetricMatrix& a, double thresho
     if (free) claim(i);
   }
   const std::vector<Index> first = aggregates;
-  for (Index i = 0; i < a.size(); ++i) {
+  for_each_row(a.size(), [&](Index i) {
     double strongest = 0;
     for (Index e = a.offsets[i]; first[i] == open && e < a.offsets[i + 1]; ++e) {
       if (strong_entry[e] && first[a.columns[e]] >= 0 && -a.values[e] > strongest) {
@@ -162,7 +181,7 @@ std::vector<Index> Multigrid::aggregate(const SymmetricMatrix& a, double thresho
         aggregates[i] = first[a.columns[e]];
       }
     }
-  }
+  });
   for (Index i = 0; i < a.size(); ++i) {
     if (aggregates[i] == open) claim(i);
   }
@@ -175,10 +194,6 @@ Multigrid::Prolongation Multigrid::smooth(const SymmetricMatrix& a, const std::v
                                           double threshold) const {
   constexpr double omega = 0.9;
   const Index n = a.size();
-  struct Part {
-    std::vector<Index> columns;
-    std::vector<double> values;
-  };
   std::vector<Part> parts(block_count(n));
   Prolongation p;
   p.offsets.assign(n + 1, 0);
@@ -218,10 +233,7 @@ Multigrid::Prolongation Multigrid::smooth(const SymmetricMatrix& a, const std::v
     }
   });
   for (Index i = 0; i < n; ++i) p.offsets[i + 1] += p.offsets[i];
-  for (const Part& part : parts) {
-    p.columns.insert(p.columns.end(), part.columns.begin(), part.columns.end());
-    p.values.insert(p.values.end(), part.values.begin(), part.values.end());
-  }
+  put_together(parts, p.columns, p.values, run_);
   return p;
 }
 
@@ -244,10 +256,6 @@ Multigrid::Prolongation Multigrid::transpose(const Prolongation& p, Index column
 
 // P' A P, one coarse row at a time.
 SymmetricMatrix Multigrid::galerkin(const Level& fine, Index coarse_size) const {
-  struct Part {
-    std::vector<Index> columns;
-    std::vector<double> values;
-  };
   const SymmetricMatrix& a = fine.matrix;
   SymmetricMatrix coarse;
   coarse.diagonal.resize(coarse_size);
@@ -291,10 +299,7 @@ SymmetricMatrix Multigrid::galerkin(const Level& fine, Index coarse_size) const 
     }
   });
   for (Index i = 0; i < coarse_size; ++i) coarse.offsets[i + 1] += coarse.offsets[i];
-  for (const Part& part : parts) {
-    coarse.columns.insert(coarse.columns.end(), part.columns.begin(), part.columns.end());
-    coarse.values.insert(coarse.values.end(), part.values.begin(), part.values.end());
-  }
+  put_together(parts, coarse.columns, coarse.values, run_);
   return coarse;
 }
 
@@ -364,7 +369,8 @@ SolveResult solve(Multigrid& multigrid, const std::vector<UV>& b, double toleran
                   std::vector<UV>& x, const Run& run) {
   const SymmetricMatrix& a = multigrid.matrix();
   const Index n = a.size();
-  std::vector<UV> r(n), z(n), p(n), q(n);
+  std::vector<UV> r, z, p, q;
+  for (std::vector<UV>* vector : {&r, &z, &p, &q}) resize_together(*vector, n, run);
   const auto product = [](UV s, UV t) { return UV{s.u * t.u, s.v * t.v}; };
   const auto quotient = [](UV s, UV t) { return UV{t.u > 0 ? s.u / t.u : 0, t.v > 0 ? s.v / t.v : 0}; };
   const UV size = sum_of(n, [&](Index i) { return product(b[i], b[i]); });
