@@ -50,6 +50,7 @@ struct BoundarySurvey {
   std::vector<SurfaceComponent> components;
   std::vector<Triangle> triangles;  // the surface the loops bound, oriented per component, gaps left open
   RimSearchSummary search;
+  bool range_scan = false;  // the points are a scanner's raster; those of no triangle are no surface
 };
 
 // Finds the loops of any number of open surfaces; none where all are closed. Requires finite and distinct

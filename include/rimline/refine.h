@@ -23,6 +23,8 @@ struct RefineOptions {
   int rounds = 4;               // most times the patch is triangulated anew from its map [ours]
   double residual = 1e-10;      // of each linear system, relative to its right-hand side
   double suspect_share = 0.05;  // of bad edges, above which a patch is reported as suspect [ours]
+  bool leave_beside = false;    // leave out points that are on no triangle of the surface and lie beside it:
+                                // a range scanner's at depth jumps [ours]
   bool allow_partial = false;   // keep the other patches where one can not be meshed
   HolePolicy holes;             // which holes are closed by triangles
   bool fill_points = false;     // and whether these get vertices of their own
@@ -88,7 +90,7 @@ struct Surface {
   std::vector<UV> uv;  // one per point and added one; NaN for those of no patch. Patches lie side by side
   std::vector<Index> patch;  // of each of these, or `none`; of a point that two patches share, the last
   std::vector<PatchReport> patches;
-  std::vector<Index> left_out;  // points that hang together with no loop, ascending
+  std::vector<Index> left_out;  // points that hang together with no loop or lie beside the surface, ascending
 };
 
 // Tells which points and loops belong together and meshes each patch. Where options.allow_partial is set, a

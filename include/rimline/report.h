@@ -22,7 +22,7 @@ struct PointCounts {
   std::size_t not_finite = 0;  // a coordinate is NaN or infinite
   std::size_t duplicates = 0;  // the same coordinates as a point with a lower id
   std::size_t stray = 0;       // in a group of fewer than ten points, apart from all others
-  std::size_t unmeshed = 0;    // used, but in a component that was not meshed
+  std::size_t unmeshed = 0;    // used, but in a component that was not meshed, or beside a range scan
 };
 
 // Distances between neighbours, in the unit of the input: over all used points, of local_spacing().

@@ -517,9 +517,11 @@ BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, con
   std::vector<double> spacing = local_spacing(neighbours, run);
   const std::optional<exact::Raster> raster = exact::find_raster(points, neighbours, run);
   if (raster) {
-    return exact::Survey(points, neighbours, scores, options, length_exponent, {}, raster, std::move(spacing),
-                         run)
-        .find();
+    BoundarySurvey found = exact::Survey(points, neighbours, scores, options, length_exponent, {}, raster,
+                                         std::move(spacing), run)
+                               .find();
+    found.range_scan = true;
+    return found;
   }
   const double level = exact::noise_level(points, neighbours, spacing, run);
   const double heed = exact::noise_weight(level);

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "map/beside.h"
 #include "map/pack.h"
 #include "map/patches.h"
 #include "map/refine_patch.h"
@@ -172,6 +173,28 @@ void refuse_closed(const std::vector<Triangle>& surface_triangles, std::size_t p
   }
 }
 
+// Takes the points given, ascending and on no loop, out of the patches.
+void leave_out(const std::vector<Index>& points, Partition& parts) {
+  for (PatchInput& patch : parts.patches) {
+    std::vector<Index> number(patch.points.size(), none), kept;
+    for (std::size_t i = 0; i < patch.points.size(); ++i) {
+      if (std::binary_search(points.begin(), points.end(), patch.points[i])) continue;
+      number[i] = static_cast<Index>(kept.size());
+      kept.push_back(patch.points[i]);
+    }
+    const auto before = static_cast<Index>(patch.points.size());
+    const Index gone = before - static_cast<Index>(kept.size());
+    for (Loop& loop : patch.outline.loops) {
+      for (Index& v : loop.points) v = v < before ? number[v] : v - gone;
+    }
+    for (Index& v : patch.outline.original) v = number[v];
+    patch.points = std::move(kept);
+  }
+  parts.left_out.insert(parts.left_out.end(), points.begin(), points.end());
+  std::sort(parts.left_out.begin(), parts.left_out.end());
+  parts.left_out.erase(std::unique(parts.left_out.begin(), parts.left_out.end()), parts.left_out.end());
+}
+
 // A patch, or what was thrown instead.
 struct Meshed {
   Patch patch;
@@ -215,12 +238,9 @@ std::vector<Meshed> mesh_all(const std::vector<PatchInput>& patches, const Mesh&
   return meshed;
 }
 
-}  // namespace
-
-Surface refine_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
-                       const std::vector<Triangle>& surface_triangles, const RefineOptions& options,
-                       const Run& run) {
-  if (loops.empty()) throw Error(ErrorCode::NoClosedLoop, "there is no loop: nothing bounds the surface");
+Surface mesh_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
+                     const std::vector<Triangle>& surface_triangles, const RefineOptions& options,
+                     const Run& run) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::optional<Stars> stars;
   const auto find = [&]() -> const Stars& {
@@ -228,6 +248,7 @@ Surface refine_surface(Points points, const Neighbours& neighbours, const std::v
     return *stars;
   };
   Partition parts = partition(static_cast<Index>(points.size()), find, loops, surface_triangles);
+  if (options.leave_beside) leave_out(points_beside(points, neighbours, loops, surface_triangles), parts);
   Surface surface;
   surface.uv.assign(points.size(), {nan, nan});
   surface.patch.assign(points.size(), none);
@@ -265,6 +286,23 @@ Surface refine_surface(Points points, const Neighbours& neighbours, const std::v
   refuse_closed(surface_triangles, points.size(), options.allow_partial, surface);
   pack_patches(surface.patch, surface.patches.size(), surface.uv);
   return surface;
+}
+
+}  // namespace
+
+Surface refine_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
+                       const std::vector<Triangle>& surface_triangles, const RefineOptions& options,
+                       const Run& run) {
+  if (loops.empty()) throw Error(ErrorCode::NoClosedLoop, "there is no loop: nothing bounds the surface");
+  try {
+    return mesh_surface(points, neighbours, loops, surface_triangles, options, run);
+  } catch (const Error& error) {
+    // Others may hang together with the surface by those left out alone.
+    if (!options.leave_beside || error.code() != ErrorCode::UnreachableInterior) throw;
+  }
+  RefineOptions with_all = options;
+  with_all.leave_beside = false;
+  return mesh_surface(points, neighbours, loops, surface_triangles, with_all, run);
 }
 
 }  // namespace rimline

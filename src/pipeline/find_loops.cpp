@@ -70,7 +70,10 @@ void find_all_loops(Work& work) {
   work.probability = std::move(found.probability);
   work.label = std::move(found.label);
   // Triangles that end at other loops than those given would tell the parts wrongly apart.
-  if (work.given.loops.empty()) work.surveyed = std::move(found.triangles);
+  if (work.given.loops.empty()) {
+    work.surveyed = std::move(found.triangles);
+    work.range_scan = found.range_scan;
+  }
   SearchSummary& search = work.report.search;
   search.doubtful = found.search.doubtful;
   search.groups = found.search.groups;

@@ -100,6 +100,7 @@ void mesh_patches(Work& work) {
   refine.rounds = work.options.mesh.refine_rounds;
   refine.residual = work.options.map.residual;
   refine.allow_partial = work.options.mesh.allow_partial;
+  refine.leave_beside = work.range_scan;
   refine.holes = work.options.mesh.holes;
   refine.fill_points = work.options.mesh.fill_points;
   refine.corners = arranged_corners(work);

@@ -140,11 +140,11 @@ void report_unmeshed(Work& work) {
   const std::size_t added = work.vertices.size() - work.arrangement.points.size();
   report.points.unmeshed = work.arrangement.points.size() + added - report.mesh.points_used;
   if (report.points.unmeshed == 0) return;
-  report.warnings.push_back(work.is_paper()
-                                ? fmt::format("{} points fell on others in the plane and are in no triangle",
-                                              report.points.unmeshed)
-                                : fmt::format("{} points hang together with no loop and are in no triangle",
-                                              report.points.unmeshed));
+  const char* reason = work.is_paper()   ? "fell on others in the plane and are in no triangle"
+                       : work.range_scan ? "hang together with no loop, or lie beside the surface that was "
+                                           "scanned, and are in no triangle"
+                                         : "hang together with no loop and are in no triangle";
+  report.warnings.push_back(fmt::format("{} points {}", report.points.unmeshed, reason));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ struct Work {
   std::vector<float> probability = {};
   std::vector<PointLabel> label = {};
   std::vector<Triangle> surveyed = {};
+  bool range_scan = false;
   std::vector<Loop> loops = {};
   std::vector<UV> uv = {};
   std::vector<Index> patch = {};
