@@ -137,7 +137,8 @@ Arrangement arrange(Points input, const Run& run) {
   return result;
 }
 
-bool leave_out_stray(Arrangement& arrangement, const Neighbours& neighbours, int least_group) {
+bool leave_out_stray(Arrangement& arrangement, const Neighbours& neighbours, const Run& run,
+                     int least_group) {
   const Index count = neighbours.size();
   UnionFind groups(count);
   const auto join_mutual = [&](Index i, int nearest) {
@@ -146,9 +147,34 @@ bool leave_out_stray(Arrangement& arrangement, const Neighbours& neighbours, int
     }
   };
   // A few neighbours gather nearly all points into large groups. Whatever else could make a small group grow
-  // starts at one of its points, as mutual pairs are in both lists.
+  // starts at one of its points, as mutual pairs are in both lists. Blocks of points may gather at the same
+  // time, as their groups share no point; then come the few pairs of points of two blocks.
   const int few = std::min(3, neighbours.k);
-  for (Index i = 0; i < count; ++i) join_mutual(i, few);
+  constexpr std::size_t block = 16384;
+  struct Pair {
+    Index a, b;
+  };
+  const auto points = static_cast<std::size_t>(count);
+  std::vector<std::vector<Pair>> across((points + block - 1) / block);
+  parallel_tasks(across.size(), Stage::Neighbours, run, [&](std::size_t k) {
+    const Index begin = static_cast<Index>(k * block);
+    const Index end = static_cast<Index>(std::min(points, (k + 1) * block));
+    for (Index i = begin; i < end; ++i) {
+      for (const Index j : neighbours.of(i, few)) {
+        if (j < begin || j >= end) {
+          across[k].push_back({i, j});
+        } else if (groups.find(i) != groups.find(j) && are_mutual(neighbours, i, j)) {
+          groups.join(i, j);
+        }
+      }
+    }
+  });
+  run.check_cancel();
+  for (const auto& pairs : across) {
+    for (const auto& [i, j] : pairs) {
+      if (groups.find(i) != groups.find(j) && are_mutual(neighbours, i, j)) groups.join(i, j);
+    }
+  }
   for (Index i = 0; i < count; ++i) {
     if (groups.size_of(i) < least_group) join_mutual(i, neighbours.k);
   }

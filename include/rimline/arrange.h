@@ -27,6 +27,7 @@ Arrangement arrange(Points input, const Run& run);
 // Finds the groups of the mutual k-nearest graph (each of two points in the other's list) that have fewer
 // than `least_group` points, and takes them out of the arrangement. Returns whether there were any: the
 // neighbours must then be found again.  [ours: the paper assumes a clean sample]
-bool leave_out_stray(Arrangement& arrangement, const Neighbours& neighbours, int least_group = 10);
+bool leave_out_stray(Arrangement& arrangement, const Neighbours& neighbours, const Run& run = {},
+                     int least_group = 10);
 
 }  // namespace rimline

@@ -52,7 +52,7 @@ void prepare(Work& work) {
   arrangement = arrange(work.input, work.run);
   work.clock.enter(Stage::Neighbours);
   work.neighbours = find_neighbours(arrangement.points, k, work.run);
-  if (leave_out_stray(arrangement, work.neighbours)) {
+  if (leave_out_stray(arrangement, work.neighbours, work.run)) {
     work.neighbours = find_neighbours(arrangement.points, k, work.run);
   }
   work.spacing = local_spacing(work.neighbours, work.run);
