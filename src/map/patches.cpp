@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
+#include "mesh/triangulation.h"
 #include "union_find.h"
 
 namespace rimline {
@@ -59,9 +61,10 @@ bool any_loose(const std::vector<Index>& loop_of, const std::vector<Loop>& loops
   return false;
 }
 
-// Points that hang together with no loop but whose cells name, or are named by, points that do.
+// Points that hang together with no loop but whose cells name, or are named by, points that do. Where
+// `within` is given, all that belong together by it.
 void join_one_sided(const Stars& stars, const std::vector<Index>& loop_of, const std::vector<Loop>& loops,
-                    UnionFind& parts) {
+                    UnionFind* within, UnionFind& parts) {
   const Index n = static_cast<Index>(loop_of.size());
   for (bool again = true; again;) {
     again = false;
@@ -74,7 +77,9 @@ void join_one_sided(const Stars& stars, const std::vector<Index>& loop_of, const
         if (bounded[a] == bounded[b]) continue;
         // A part as large as what it would join is a surface of its own.
         const Index loose = bounded[a] ? b : a, firm = bounded[a] ? a : b;
-        if (2 * parts.size_of(loose) > parts.size_of(firm)) continue;
+        const bool together = within != nullptr ? within->find(i) == within->find(j)
+                                                : 2 * parts.size_of(loose) <= parts.size_of(firm);
+        if (!together) continue;
         parts.join(a, b);
         bounded[parts.find(a)] = 1;
         again = true;
@@ -104,6 +109,78 @@ Index part_of(const Loop& loop, const std::vector<Index>& loop_of, UnionFind& pa
   return none;
 }
 
+// Whether two outer loops are in one part, which sheets that touch in a point bring about.
+bool any_two_outer(const std::vector<Loop>& loops, const std::vector<Index>& loop_of, UnionFind& parts) {
+  std::vector<Index> found;
+  for (const Loop& loop : loops) {
+    const Index part = part_of(loop, loop_of, parts);
+    if (loop.kind == LoopKind::Outer && part != none) found.push_back(part);
+  }
+  std::sort(found.begin(), found.end());
+  return std::adjacent_find(found.begin(), found.end()) != found.end();
+}
+
+// As join_along() for each triangle, but a point belongs to one sheet of triangles that hang together by
+// edges alone: to that with a loop's edge at it, else to the one with most triangles there.
+void join_by_sheets(const std::vector<Triangle>& triangles, const std::vector<Loop>& loops,
+                    const std::vector<Index>& loop_of, UnionFind& parts) {
+  const Index n = static_cast<Index>(loop_of.size());
+  UnionFind sheets(triangles.size());
+  std::map<std::pair<Index, Index>, Index> triangle_at;  // of each directed edge
+  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
+    for (int c = 0; c < 3; ++c) triangle_at[{triangles[t][c], triangles[t][next(c)]}] = t;
+  }
+  for (const auto& [edge, t] : triangle_at) {
+    const auto other = triangle_at.find({edge.second, edge.first});
+    if (other != triangle_at.end()) sheets.join(t, other->second);
+  }
+  std::map<std::pair<Index, Index>, Index> count;  // of triangles, by point and sheet
+  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
+    for (const Index v : triangles[t]) ++count[{v, sheets.find(t)}];
+  }
+  std::vector<Index> sheet_of(n, none), most(n, 0);
+  for (const auto& [key, triangles_there] : count) {
+    const auto [v, sheet] = key;
+    if (triangles_there <= most[v]) continue;
+    most[v] = triangles_there;
+    sheet_of[v] = sheet;
+  }
+  for (const Loop& loop : loops) {
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Index a = loop.points[i], b = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
+      const auto at = triangle_at.find({a, b});
+      if (at == triangle_at.end()) continue;
+      for (const Index v : {a, b}) {
+        if (v < n) sheet_of[v] = sheets.find(at->second);
+      }
+    }
+  }
+  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
+    std::vector<Index> own;
+    for (const Index v : triangles[t]) {
+      if (sheet_of[v] == sheets.find(t)) own.push_back(v);
+    }
+    join_along(own, loop_of, parts);
+  }
+  for (const Loop& loop : loops) join_along(loop.points, loop_of, parts);
+  // A sheet without a loop goes with the first one with a loop that it touches.
+  for (bool again = true; again;) {
+    again = false;
+    std::vector<char> bounded = bounded_parts(loop_of, loops, parts);
+    for (const Triangle& t : triangles) {
+      for (int c = 0; c < 3; ++c) {
+        const Index v = t[c], w = t[next(c)];
+        if (!alone(v, loop_of) || !alone(w, loop_of)) continue;
+        const Index a = parts.find(v), b = parts.find(w);
+        if (bounded[a] == bounded[b]) continue;
+        parts.join(a, b);
+        bounded[parts.find(a)] = 1;
+        again = true;
+      }
+    }
+  }
+}
+
 // Gives the loops' points ids of the patch: a point that they pass again gets a copy.
 void make_local(const Separated& whole, Index point_count, PatchInput& patch) {
   std::map<Index, char> passed;
@@ -130,7 +207,14 @@ Partition partition(Index n, const std::function<const Stars&()>& stars, const s
   if (surface.empty()) join_mutual(stars(), loop_of, parts);
   for (const Triangle& t : surface) join_along(t, loop_of, parts);
   for (const Loop& loop : outline.loops) join_along(loop.points, loop_of, parts);
-  if (any_loose(loop_of, outline.loops, parts)) join_one_sided(stars(), loop_of, outline.loops, parts);
+  if (any_loose(loop_of, outline.loops, parts))
+    join_one_sided(stars(), loop_of, outline.loops, nullptr, parts);
+  if (!surface.empty() && any_two_outer(outline.loops, loop_of, parts)) {
+    UnionFind before = std::exchange(parts, UnionFind(n));
+    join_by_sheets(surface, outline.loops, loop_of, parts);
+    if (any_loose(loop_of, outline.loops, parts))
+      join_one_sided(stars(), loop_of, outline.loops, &before, parts);
+  }
 
   Partition result;
   std::vector<Index> patch_of(n, none);  // by part

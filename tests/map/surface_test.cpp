@@ -122,6 +122,37 @@ TEST_CASE(
   CHECK(four.patch == one.patch);
 }
 
+TEST_CASE("two sheets that go through each other in one point are two patches") {
+  constexpr int side = 9;
+  std::vector<Point> points = sheet(side, {0, 0, 0});
+  std::vector<Loop> loops{border(side, 0), border(side, side * side)};
+  for (const Point& p : sheet(side, {0, 0, 0})) points.push_back({p.x, 4 + p.z, p.y - 4});  // upright
+  constexpr Index middle = side * side / 2, upright = side * side;
+  std::vector<Triangle> triangles;
+  for (const Index first : {0, upright}) {
+    for (Index y = 0; y + 1 < side; ++y) {
+      for (Index x = 0; x + 1 < side; ++x) {
+        const Index a = first + y * side + x;
+        triangles.push_back({a, a + 1, a + side + 1});
+        triangles.push_back({a, a + side + 1, a + side});
+      }
+    }
+  }
+  // Both have the middle one; the other sheet's own is gone.
+  for (Triangle& t : triangles) {
+    for (Index& v : t) v = v == upright + middle ? middle : v > upright + middle ? v - 1 : v;
+  }
+  for (Index& v : loops[1].points) v -= v > upright + middle;
+  points.erase(points.begin() + upright + middle);
+  const Surface surface = refine_surface(points, find_neighbours(points, 20, {}), loops, triangles, {}, {});
+  REQUIRE(surface.patches.size() == 2);
+  CHECK(surface.left_out.empty());
+  for (Index v = 0; v < static_cast<Index>(points.size()); ++v) {
+    if (v != middle) CHECK(surface.patch[v] == (v < upright ? 0 : 1));
+  }
+  CHECK(open_edges(surface.triangles) == edges_of(loops));
+}
+
 TEST_CASE("points that hang together with no loop are left out and named") {
   std::vector<Point> points = sheet(10, {0, 0, 0});
   for (const Point& p : sheet(5, {40, 0, 0})) points.push_back(p);
