@@ -81,10 +81,14 @@ Corners::Turns Corners::turns(std::size_t slot, const Kept& kept) const {
         continue;
       }
     }
+    const auto corner_at =
+        [&](std::uint32_t i) -> const Corner& {  // around again; a remainder would take longer
+      return corners_[fan.first + (begin + i < size ? begin + i : begin + i - size)];
+    };
     float from = 0;
     bool open = false;
     for (std::uint32_t i = 0; i < size; ++i) {
-      const Corner& corner = corners_[fan.first + (begin + i) % size];
+      const Corner& corner = corner_at(i);
       if (!kept[corner.triangle]) {
         open = false;
         continue;
@@ -94,7 +98,7 @@ Corners::Turns Corners::turns(std::size_t slot, const Kept& kept) const {
         ++fans;
         from = corner.from;
       }
-      const bool ends = i + 1 == size || !kept[corners_[fan.first + (begin + i + 1) % size].triangle];
+      const bool ends = i + 1 == size || !kept[corner_at(i + 1).triangle];
       if (!ends) continue;
       // Both are directions, so this is the exact remainder by a full turn.
       double between = std::abs(static_cast<double>(from - corner.to));
