@@ -415,7 +415,7 @@ class Survey {
           redraw(points_, neighbours_, spacing_, loop.points, normals_along(loop), blur_, run_);
       if (drawn.loop.empty()) continue;
       const double length = loop_length(points_, drawn.loop);
-      constexpr double most = 1.3;  // times the length before
+      constexpr double most = 1.5;  // times the length before: triangles cut a third off a small rim
       mark(loop.points, 0);
       const bool meets =
           std::any_of(drawn.loop.begin(), drawn.loop.end(), [&](Index id) { return taken[id]; });

@@ -80,10 +80,14 @@ double behind_jagged_point(double jaggedness, double loop_probability) {
   return jaggedness * measured * std::min(1.0, 2 * loop_probability);
 }
 
-double blurred_probability(double depth, double noise, double loop_probability) {
+double blurred_log_odds(double depth, double noise) {
   constexpr double sharpest = 0.06;  // square of how far off the line may be without noise, in spacings
-  const double scatter = sharpest + 1.6 * noise * noise;
-  return logistic(depth / scatter) * std::min(1.0, 2 * std::clamp(loop_probability, 0.01, 0.99));
+  return depth / (sharpest + 1.6 * noise * noise);
+}
+
+double blurred_probability(double depth, double noise, double loop_probability) {
+  return logistic(blurred_log_odds(depth, noise)) *
+         std::min(1.0, 2 * std::clamp(loop_probability, 0.01, 0.99));
 }
 
 double raster_point_probability(bool on_rim, double chi_square_score, double loop_probability) {

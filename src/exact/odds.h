@@ -47,6 +47,8 @@ double behind_jagged_point(double jaggedness, double loop_probability);
 // That a point is on a boundary that was drawn anew under noise: by how far outside the line that parts the
 // points of the loop from those inside it lies, in spacings; `noise` in spacings as well.
 double blurred_probability(double depth, double noise, double loop_probability);
+// The log odds in it, were the loop certain.
+double blurred_log_odds(double depth, double noise);
 // The same on a raster, where the search leaves no notches to look at.
 double raster_point_probability(bool on_rim, double chi_square_score, double loop_probability);
 

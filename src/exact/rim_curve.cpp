@@ -9,6 +9,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "exact/odds.h"
 #include "exact/weave.h"
 #include "parallel.h"
 
@@ -76,6 +77,17 @@ class Curve {
       sum += a.along_weave * distance(a.at, b.at) / (0.5 * (a.spacing + b.spacing));
     }
     return sum;
+  }
+
+  // The same from the first station to each, and once around.
+  std::vector<double> running_count() const {
+    std::vector<double> running{0};
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      const Station &a = stations_[i], &b = stations_[i + 1 < stations_.size() ? i + 1 : 0];
+      running.push_back(running.back() +
+                        a.along_weave * distance(a.at, b.at) / (0.5 * (a.spacing + b.spacing)));
+    }
+    return running;
   }
 
   // Whether points lie closer in one direction than in another.
@@ -358,6 +370,73 @@ std::vector<Bead> outermost(const std::vector<Place>& places, std::size_t count)
   return beads;
 }
 
+// A place that the rim may go through.
+struct Stop {
+  double at;    // along the curve, in mean steps of the rim
+  double odds;  // logarithm, by how far out it lies
+  std::size_t place;
+  double best = -infinite;  // of all ways to here
+  std::size_t before = 0;   // the stop before on that way
+};
+
+// The stops from the outermost place once around and back to it, of places that descend. `line`: what parts
+// the first `count` of them from the others.
+std::vector<Stop> find_stops(const Curve& curve, const std::vector<Place>& places, std::size_t count,
+                             double line, double noise) {
+  constexpr double least_odds = -6;  // of a place that is worth a look
+  const std::vector<double> along = curve.running_count();
+  const auto around = static_cast<double>(count);
+  const auto position = [&](double t) {
+    const double x = std::clamp(t / curve.period(), 0.0, 1.0) * static_cast<double>(along.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(x), along.size() - 2);
+    const double here = along[i] + (x - static_cast<double>(i)) * (along[i + 1] - along[i]);
+    return around * here / along.back();
+  };
+  const double start = position(places[0].t);
+  std::vector<Stop> stops;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double odds = blurred_log_odds(places[i].out - line, noise);
+    if (odds < least_odds) break;
+    const double at = position(places[i].t) - start;
+    stops.push_back({at < 0 ? at + around : at, odds, i});
+  }
+  std::sort(stops.begin(), stops.end(),
+            [](const Stop& a, const Stop& b) { return std::tie(a.at, a.place) < std::tie(b.at, b.place); });
+  stops.insert(stops.begin(), {0, 0, 0, 0});
+  stops.push_back({around, 0, 0});
+  return stops;
+}
+
+// Noise moves points along the rim as well as across it. So where two of the outermost lie close together one
+// of them is likely to come from behind, and where they leave a gap the outermost point of the gap is likely
+// to be of the rim. Of all ways around the curve this is the likeliest: it has the greatest sum of the log
+// odds of its points by how far out they lie, less what its steps cost by how far their lengths are from 1,
+// as normal errors of that variance do. By dynamic programming.
+std::vector<Bead> likeliest_way(const Curve& curve, const std::vector<Place>& places, std::size_t count,
+                                double noise) {
+  constexpr double uneven = 0.1;        // variance of the steps of a rim without noise: 0.3 of their length
+  constexpr double usual = 0.4;         // about the mean cost of a step, so that it moves no line
+  constexpr std::size_t farthest = 48;  // stops passed over
+  const double variance = uneven + 2 * noise * noise;  // both ends of a step move
+  const double line = 0.5 * (places[count - 1].out + places[count].out);
+  std::vector<Stop> stops = find_stops(curve, places, count, line, noise);
+  for (std::size_t j = 1; j < stops.size(); ++j) {
+    for (std::size_t i = j - std::min(j, farthest); i < j; ++i) {
+      const double off = stops[j].at - stops[i].at - 1;
+      const double sum = stops[i].best + stops[j].odds + usual - off * off / (2 * variance);
+      if (sum <= stops[j].best) continue;
+      stops[j].best = sum;
+      stops[j].before = i;
+    }
+  }
+  std::vector<Place> way;
+  for (std::size_t j = stops.back().before;; j = stops[j].before) {
+    way.push_back(places[stops[j].place]);
+    if (j == 0) break;
+  }
+  return outermost(way, way.size());
+}
+
 // Turns stretches of the loop round where that makes it shorter, as seen along the normals: then it does not
 // cross itself there.
 void shorten(Points points, std::vector<Bead>& loop) {
@@ -409,7 +488,9 @@ Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<do
     count = places.valley(count);
     const auto& all = places.found();
     const std::size_t last = std::min(all.size() - 1, count + close);
-    on_rim = outermost(all, count);
+    const bool even = blur.noise > 0 && blur.irregular < 0.5 && !curve.woven();
+    on_rim =
+        even && round + 1 == rounds ? likeliest_way(curve, all, count, blur.noise) : outermost(all, count);
     beads = outermost(all, last);
     result.woven = curve.woven();
     result.near.clear();
@@ -420,6 +501,7 @@ Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<do
       result.depth.push_back(p.out - line);
     }
   }
+  if (on_rim.size() < shortest) return {};
   shorten(points, on_rim);
   for (const Bead& bead : on_rim) result.loop.push_back(bead.point);
   return result;

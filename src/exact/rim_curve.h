@@ -19,15 +19,16 @@ struct Blur {
 struct Redrawn {
   bool woven = false;       // whether points lie closer in one direction than in another, as along scan lines
   std::vector<Index> loop;  // simple; empty where the rim can not be drawn anew
-  std::vector<Index> near;  // all points that were looked at: those of the loop, then the others, inwards ...
+  std::vector<Index> near;  // all points that were looked at, from the outermost inwards ...
   std::vector<double> depth;  // ... and how far outside the line each lies, in spacings, that parts the
                               // points that may be on the boundary from those inside it
 };
 
 // Which of the points that noise scatters about a rim a triangulation ends at is chance. So a curve is fitted
 // along the rim, by quadratics over some spacings, and points are ranked by how far out of it they lie. The
-// outermost are the loop, as many as a rim has at the density behind it; the curve puts them in order. All
-// other points are inside, as the line between lies outside of them.
+// outermost may be the loop, as many as a rim has at the density behind it. Where points are even, the loop
+// is the likeliest way around: through points that lie far out, in steps that are about equal; else it is the
+// outermost. The curve puts them in order.
 //
 // A rim has one point to a spacing (the root of the area of a point). Where points are strewn at random,
 // those within half a spacing of the rim may be on it as well: nothing tells them from it. The loop does not
