@@ -75,7 +75,7 @@ class Descent {
       return false;
     }
     triangles_.resize(surface_);
-    flat_.resize(surface_, flat_.front());
+    flat_.erase(flat_.begin() + static_cast<std::ptrdiff_t>(surface_), flat_.end());
     weight_.resize(surface_);
     for (const Triangle& t : outside) {
       const auto corner = [&](int c) { return Point{places[t[c]].u, places[t[c]].v, 0}; };
@@ -217,7 +217,7 @@ int relax_conformally(Points points, const Triangulation& mesh, const std::vecto
   for (const Triangle& t : mesh.triangles)
     least += ConformalTriangle({points[t[0]], points[t[1]], points[t[2]]}).area();
   std::vector<double> excess{descent.energy() - least};
-  if (!std::isfinite(excess.front())) return 0;
+  if (!(least > 0) || !std::isfinite(excess.front())) return 0;
   int steps = 0;
   while (steps < most_steps) {
     run.check_cancel();

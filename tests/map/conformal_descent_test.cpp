@@ -87,6 +87,16 @@ TEST_CASE("a descent from the disc ends where least squares do, where these do n
   CHECK(flipped_triangles(disc.triangles, uv, {}).empty());
 }
 
+TEST_CASE("a surface without area is left as it is") {
+  const std::vector<Point> points(3, Point{1, 2, 3});
+  const Triangulation mesh = triangulation_of({{0, 1, 2}}, 3);
+  Loop loop;
+  loop.points = {0, 1, 2};
+  std::vector<UV> uv{{0, 0}, {1, 0}, {0, 1}};
+  CHECK(conformal_distortion(points, mesh, uv) == 1);
+  CHECK(relax_conformally(points, mesh, {loop}, uv, {}) == 0);
+}
+
 TEST_CASE("a map with a triangle turned over is left as it is") {
   const Strip strip = make_winding(0.5);
   std::vector<UV> uv;
