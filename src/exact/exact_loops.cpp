@@ -41,6 +41,7 @@ namespace {
 constexpr double largest_proposed = 4.0;  // spacings; the rim search takes away what is too much
 constexpr std::size_t least_gap = 6;  // points of a gap that is told from a boundary; smaller ones say little
 constexpr double largest_mended = 1.0;   // spacings; what notches it leaves are filled with at once
+constexpr double folded = 0.15;          // frame thickness of a neighbourhood that is no patch
 constexpr std::size_t least_sheet = 10;  // triangles; smaller scraps are no surface
 
 void check(Points points, const ExactLoopOptions& options) {
@@ -175,7 +176,7 @@ class Survey {
     std::vector<std::uint8_t> barred(points_.size(), 0);
     for (const auto& loop : walk_rims(complex_, all, run_)) {
       if (loop.size() < least_gap || rim_probability(loop, all) >= 0.5) continue;
-      for (const Index v : loop) barred[v] = 1;
+      for (const Index v : loop) barred[v] = frames_[v].thickness > folded ? at_fold : at_gap;
     }
     return barred;
   }
@@ -467,7 +468,6 @@ class Survey {
   }
 
   void label_points() {
-    constexpr double folded = 0.15;  // frame thickness of a neighbourhood that is no patch
     auto& label = result_.label;
     label.resize(points_.size());
     parallel_for_each(points_.size(), Stage::Loops, run_, [&](Index v) {

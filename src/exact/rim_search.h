@@ -2,6 +2,7 @@
 // The genetic search for the rim: which of the doubtful triangles belong to the surface.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "exact/complex.h"
@@ -33,6 +34,8 @@ struct KnownRims {
   std::vector<Index> doubts;  // of that search, with the same `barred`
 };
 
+constexpr std::uint8_t at_gap = 1, at_fold = 2;  // marks in `barred`
+
 // A chromosome says of each doubtful triangle whether it is kept. The rim of any set of triangles is a set of
 // closed loops, so any chromosome is a closed boundary, and so is what crossover and mutation make of it:
 // exchanging triangles adds (modulo 2) the boundary of what was exchanged.
@@ -42,7 +45,8 @@ struct KnownRims {
 //
 // `known` is what a search before has shown.
 //
-// Triangles at a vertex marked in `barred` are not doubted: those around gaps that are no boundary.
+// Triangles at a vertex marked in `barred` are not doubted: those around gaps that are no boundary. But what
+// is plainly too large is doubted at a gap, though not at one where the surface folds.
 RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
                            const KnownRims& known, const RimSearchOptions& options, const Run& run);
 
