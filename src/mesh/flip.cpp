@@ -104,6 +104,14 @@ class Flipper {
     return false;
   }
 
+  // Whether the two triangles along p q, in place of those along a b, would face away from each other where
+  // those do not.
+  bool folds(Index p, Index a, Index q, Index b) const {
+    const Point x = points_[p], y = points_[a], z = points_[q], w = points_[b];
+    const auto facing = [](Point e, Point f, Point g, Point h) { return dot(cross(e, f), cross(g, h)); };
+    return facing(y - x, z - x, w - z, x - z) < 0 && facing(y - x, w - x, w - z, y - z) >= 0;
+  }
+
   // Replaces the edge opposite to corner c of t by the other diagonal of its two triangles.
   bool flip(Index t, int c) {
     const Index other = mesh_.adjacent[t][c];
@@ -113,6 +121,7 @@ class Flipper {
     if (!copies_.empty() && joined(other, d, original(p))) return false;
     if (may_join_ && !may_join_(p, q)) return false;
     const Index a = mesh_.triangles[t][next(c)], b = mesh_.triangles[t][previous(c)];
+    if (folds(p, a, q, b)) return false;
     const Index beyond_a = mesh_.adjacent[t][next(c)];         // across the edge b p
     const Index beyond_b = mesh_.adjacent[t][previous(c)];     // across the edge p a
     const Index other_a = mesh_.adjacent[other][previous(d)];  // across the edge q b

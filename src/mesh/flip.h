@@ -12,7 +12,8 @@
 namespace rimline {
 
 // Flips inner edges while the two angles opposite to one sum to more than pi, unless the new edge exists
-// already. Boundary edges stay. The last vertices may be copies: vertex points.size() - copies.size() + i of
+// already, or would fold the surface: make two triangles face away from each other where those before do not.
+// Boundary edges stay. The last vertices may be copies: vertex points.size() - copies.size() + i of
 // vertex copies[i]. Edges between copies of one vertex are flipped whatever their angles and never made, and
 // edges to two copies count as one. `may_join` may be empty; else a pair of vertices that it refuses gets no
 // edge. Returns the number of flips. Deterministic.

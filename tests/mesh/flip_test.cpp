@@ -86,6 +86,20 @@ TEST_CASE("the long diagonal of a flat rhombus is flipped, the short one stays")
   CHECK(flip_edges(points, mesh, {}, {}) == 0);
 }
 
+TEST_CASE("no flip makes two triangles face away from each other that did not") {
+  // Random corners for which the angles ask for the flip.
+  const std::vector<Point> points{
+      {-0.53, 0.57, 0.57}, {1.06, -1.09, 0.01}, {1.78, -0.92, -0.13}, {-2.33, 1.65, -0.74}};
+  const auto facing = [&](const Triangle& s, const Triangle& t) {
+    return dot(cross(points[s[1]] - points[s[0]], points[s[2]] - points[s[0]]),
+               cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
+  };
+  REQUIRE(facing({0, 1, 3}, {2, 3, 1}) > 0);
+  REQUIRE(facing({0, 1, 2}, {2, 3, 0}) < 0);
+  Triangulation mesh = triangulation_of({{0, 1, 3}, {2, 3, 1}}, 4);
+  CHECK(flip_edges(points, mesh, {}, {}) == 0);
+}
+
 TEST_CASE("squares keep the diagonal they have") {
   const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   Triangulation mesh = triangulation_of({{0, 1, 2}, {0, 2, 3}}, 4);
