@@ -245,15 +245,7 @@ class Survey {
     }
   }
 
-  Index triangle_at(Index a, Index b) const { return triangle_at(a, b, kept_); }
-  Index triangle_at(Index a, Index b, const Kept& kept) const {
-    Index found[2];
-    const int count = complex_.edge(a, b, found);
-    for (int i = 0; i < count; ++i) {
-      if (kept[found[i]]) return found[i];
-    }
-    return none;
-  }
+  Index triangle_at(Index a, Index b) const { return kept_triangle(complex_, kept_, a, b); }
 
   void collect_loops() {
     for (auto& ids : walk_rims(complex_, kept_, run_)) {
@@ -292,7 +284,7 @@ class Survey {
     double thickness = 0;
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const Index a = ids[i], b = ids[i + 1 < ids.size() ? i + 1 : 0];
-      const Index t = triangle_at(a, b, kept);
+      const Index t = kept_triangle(complex_, kept, a, b);
       if (!in_notch(a) && !in_notch(b))
         empty.push_back(emptiness_beyond(points_, neighbours_, spacing_, a, b, complex_.apex(t, a, b)));
       thickness += frames_[a].thickness / static_cast<double>(ids.size());

@@ -17,15 +17,6 @@ struct Notch {
   Index triangle, behind;
 };
 
-Index kept_triangle(const Complex& complex, const Kept& kept, Index a, Index b) {
-  Index found[2];
-  const int count = complex.edge(a, b, found);
-  for (int i = 0; i < count; ++i) {
-    if (kept[found[i]]) return found[i];
-  }
-  return none;
-}
-
 }  // namespace
 
 std::vector<Index> open_notches(const Complex& complex, LocalSizes& sizes, const BoundaryScores& scores,

@@ -30,6 +30,15 @@ void split_simple(const std::vector<Index>& walk, std::vector<std::vector<Index>
 
 }  // namespace
 
+Index kept_triangle(const Complex& complex, const Kept& kept, Index a, Index b) {
+  Index found[2];
+  const int count = complex.edge(a, b, found);
+  for (int i = 0; i < count; ++i) {
+    if (kept[found[i]]) return found[i];
+  }
+  return none;
+}
+
 Index walk_fan(const Complex& complex, const Kept& kept, Index vertex, Index t, Index from, Index& end) {
   Index at = from;
   while (true) {

@@ -12,6 +12,9 @@ namespace rimline::exact {
 // Which triangles of a complex are in: one byte each.
 using Kept = std::vector<std::uint8_t>;
 
+// The kept triangle at an edge, the first of two; or none.
+Index kept_triangle(const Complex& complex, const Kept& kept, Index a, Index b);
+
 // Three kept triangles' worth of walking around a vertex: the fan that holds triangle t, from t's edge
 // (vertex, from) to its far end. Returns the last triangle; `end` is the vertex of its free edge, or `from`
 // again where the fan closes.

@@ -6,15 +6,9 @@
 #include <map>
 #include <numbers>
 
+#include "mesh/cotangent.h"
+
 namespace rimline {
-namespace {
-
-double cotangent(Point p, Point a, Point b) {
-  const Point e = a - p, f = b - p;
-  return dot(e, f) / std::max(norm(cross(e, f)), 1e-300);
-}
-
-}  // namespace
 
 std::vector<WeightedEdge> star_edges(const Stars& stars) {
   // Four points on a circle leave a common edge of length zero: not a neighbour.

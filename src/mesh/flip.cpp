@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/flip.h"
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "mesh/cotangent.h"
 #include "parallel.h"
 
 namespace rimline {
 namespace {
-
-// The cotangent of the angle at p between a and b; huge where they fall together.
-double cotangent(Point p, Point a, Point b) {
-  const Point e = a - p, f = b - p;
-  const Point n = cross(e, f);
-  return dot(e, f) / std::max(std::sqrt(dot(n, n)), 1e-300);
-}
 
 class Flipper {
  public:

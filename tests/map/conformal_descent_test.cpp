@@ -51,6 +51,12 @@ Strip make_winding(double turns) {
   return strip;
 }
 
+Patch patch_of(const Strip& strip, Domain domain) {
+  RefineOptions options;
+  options.domain = domain;
+  return refine_patch(strip.points, find_neighbours(strip.points, 20, {}), strip.loops, options, {});
+}
+
 }  // namespace
 
 TEST_CASE("a strip that would lie over itself is laid beside itself, with little distortion") {
@@ -59,10 +65,7 @@ TEST_CASE("a strip that would lie over itself is laid beside itself, with little
   free_map(strip.points, strip.mesh, strip.loops[0].points, 0, overlapping, {});
   REQUIRE_FALSE(crossing_points(strip.loops, overlapping).empty());
 
-  RefineOptions options;
-  options.domain = Domain::Free;
-  const Patch patch =
-      refine_patch(strip.points, find_neighbours(strip.points, 20, {}), strip.loops, options, {});
+  const Patch patch = patch_of(strip, Domain::Free);
   CHECK(patch.domain == Domain::Free);
   CHECK(patch.uv_flips == 0);
   CHECK(flipped_triangles(patch.triangles, patch.uv, {}).empty());
@@ -76,9 +79,7 @@ TEST_CASE("a descent from the disc ends where least squares do, where these do n
   std::vector<UV> straight;
   free_map(strip.points, strip.mesh, strip.loops[0].points, 0, straight, {});
   REQUIRE(crossing_points(strip.loops, straight).empty());
-  RefineOptions options;
-  const Patch disc =
-      refine_patch(strip.points, find_neighbours(strip.points, 20, {}), strip.loops, options, {});
+  const Patch disc = patch_of(strip, Domain::Disc);
   const Triangulation mesh = triangulation_of(disc.triangles, static_cast<Index>(strip.points.size()));
   std::vector<UV> uv = disc.uv;
   CHECK(conformal_distortion(strip.points, mesh, uv) > 1.1);
