@@ -361,6 +361,14 @@ std::size_t beside(std::size_t count, const Blur& blur) {
   return static_cast<std::size_t>(std::lround(0.5 * blur.irregular * static_cast<double>(count)));
 }
 
+// What parts the first `last` places, which may be on the rim, from the others. Where points are strewn at
+// random without noise, half of the first `count` lie farther out than the rim's own line, so half a spacing
+// is measured from there: to count what lies in it is wrong by as much as chance has put there.
+double parting_line(const std::vector<Place>& places, std::size_t count, std::size_t last, const Blur& blur) {
+  if (last > count && blur.noise == 0 && blur.irregular >= 0.5) return places[count / 2].out - 0.5;
+  return 0.5 * (places[last - 1].out + places[last].out);
+}
+
 // The first `count` places, along the curve.
 std::vector<Bead> outermost(const std::vector<Place>& places, std::size_t count) {
   std::vector<Bead> beads;
@@ -495,7 +503,7 @@ Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<do
     result.woven = curve.woven();
     result.near.clear();
     result.depth.clear();
-    const double line = 0.5 * (all[last - 1].out + all[last].out);
+    const double line = parting_line(all, count, last, blur);
     for (const Place& p : all) {
       result.near.push_back(p.point);
       result.depth.push_back(p.out - line);

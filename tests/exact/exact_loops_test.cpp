@@ -380,6 +380,26 @@ TEST_CASE("probabilities are probabilities, and labels follow the loops") {
   }
 }
 
+TEST_CASE("random points are probable where they lie within half a spacing of the rim") {
+  double worst = 1;
+  for (const Shape shape : {Shape::BumpySquare, Shape::SphereMinusCap, Shape::HemisphereCap}) {
+    for (const std::uint64_t seed : {11, 12, 13, 14}) {
+      const Sample truth = make(shape, Sampling::Random, 1000, 0, seed);
+      const Arrangement arranged = arrange(truth.points, {});
+      const BoundarySurvey survey = find_loops(truth.points).survey;
+      double hits = 0, sum = 0;
+      for (std::size_t i = 0; i < truth.points.size(); ++i) {
+        const bool probable = survey.probability[i] >= 0.5F;
+        const bool near_rim = truth.near_boundary[arranged.ids[i]] == 1;
+        hits += probable && near_rim;
+        sum += static_cast<double>(probable) + static_cast<double>(near_rim);
+      }
+      worst = std::min(worst, 2 * hits / sum);
+    }
+  }
+  CHECK(worst >= 0.96);
+}
+
 TEST_CASE("options out of range and too few points are refused") {
   const auto points = lattice(5, 5);
   ExactLoopOptions bad;
