@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <string>
 
-#include "first_touch.h"
 #include "neighbours/kd_tree.h"
 #include "neighbours/leaf_search.h"
 #include "parallel.h"
@@ -25,8 +24,8 @@ Neighbours find_neighbours(Points points, int k, const Run& run) {
   run.progress(Stage::Neighbours, 0, points.size());
   Neighbours result;
   result.k = static_cast<int>(std::min<std::size_t>(k, points.size() - 1));
-  resize_together(result.ids, points.size() * result.k, run);
-  resize_together(result.distance, points.size() * result.k, run);
+  result.ids.resize(points.size() * result.k);  // the search writes all
+  result.distance.resize(points.size() * result.k);
   const KdTree tree(points, points_in_leaf, run);
   parallel_slices(
       tree.leaf_count(), Stage::Neighbours, run,

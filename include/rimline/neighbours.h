@@ -7,6 +7,7 @@
 
 #include "rimline/points.h"
 #include "rimline/run.h"
+#include "rimline/unfilled.h"
 
 namespace rimline {
 
@@ -15,9 +16,9 @@ namespace rimline {
 // equal distance ascend by coordinates (x, then y, then z), then by id, so that the lists do not depend on
 // the order of the points where all points are distinct.
 struct Neighbours {
-  int k = 0;               // neighbours per point: what was asked for, or n - 1 where the set is smaller
-  std::vector<Index> ids;  // n * k, list after list
-  std::vector<double> distance;  // n * k, in the unit of the points
+  int k = 0;                  // neighbours per point: what was asked for, or n - 1 where the set is smaller
+  UnfilledVector<Index> ids;  // n * k, list after list
+  UnfilledVector<double> distance;  // n * k, in the unit of the points
 
   Index size() const { return k == 0 ? 0 : static_cast<Index>(ids.size() / static_cast<std::size_t>(k)); }
   std::span<const Index> of(Index point) const { return of(point, k); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "first_touch.h"
 #include "parallel.h"
 
 namespace rimline::exact {
@@ -69,7 +70,8 @@ Frame fit_frame(Points points, std::span<const Index> ids, Index point) {
 }
 
 std::vector<Frame> fit_frames(Points points, const Neighbours& neighbours, const Run& run) {
-  std::vector<Frame> frames(points.size());
+  std::vector<Frame> frames;
+  resize_together(frames, points.size(), run);
   parallel_for_each(points.size(), Stage::Survey, run,
                     [&](Index i) { frames[i] = fit_frame(points, neighbours, i); });
   return frames;

@@ -15,7 +15,7 @@ constexpr std::size_t least_parallel = 8192;  // points in a task: long enough t
 
 }  // namespace
 
-void KdTree::split(std::vector<Item>& items, std::size_t node) {
+void KdTree::split(UnfilledVector<Item>& items, std::size_t node) {
   const std::size_t first = begin(node), last = end(node);
   double low[3], high[3];
   std::copy_n(items[first].coordinate, 3, low);
@@ -48,7 +48,7 @@ KdTree::KdTree(Points points, int leaf, const Run& run)
   while (size() > static_cast<std::size_t>(leaf) << depth_) ++depth_;
   bounds_.resize(2 * leaf_count());
   for (std::size_t i = 0; i <= leaf_count(); ++i) first_.push_back(size() * i >> depth_);
-  std::vector<Item> items(size());
+  UnfilledVector<Item> items(size());
   tbb::task_arena(thread_count(run)).execute([&] {
     const tbb::blocked_range<std::size_t> all(0, size(), least_parallel);
     tbb::parallel_for(all, [&](const auto& range) {

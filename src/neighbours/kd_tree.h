@@ -10,6 +10,7 @@
 
 #include "rimline/points.h"
 #include "rimline/run.h"
+#include "rimline/unfilled.h"
 
 namespace rimline {
 
@@ -47,8 +48,8 @@ class KdTree {
   Point point(std::size_t place) const { return {x[place], y[place], z[place]}; }
 
   // The points in the order of the leaves, a coordinate an array; id: their ids in the input.
-  std::vector<double> x, y, z;
-  std::vector<Index> id;
+  UnfilledVector<double> x, y, z;
+  UnfilledVector<Index> id;
 
  private:
   struct Item {
@@ -59,7 +60,7 @@ class KdTree {
   std::size_t leftmost_leaf(std::size_t node, std::size_t other) const {
     return (other << (depth_ + 1 - std::bit_width(node))) - leaf_count();
   }
-  void split(std::vector<Item>& items, std::size_t node);
+  void split(UnfilledVector<Item>& items, std::size_t node);
 
   int depth_ = 0;
   std::vector<std::size_t> first_;  // place of each leaf's first point, and the number of points

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <span>
 #include <string>
 
 #include "rimline/neighbours.h"
@@ -125,7 +126,8 @@ bool edges_cross(const Point& a, const Point& b, const Point& c, const Point& d)
   return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
 }
 
-double median(std::vector<double> values) {
+double median(std::span<const double> given) {
+  std::vector<double> values(given.begin(), given.end());
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
   return values[values.size() / 2];
 }
