@@ -164,7 +164,7 @@ class Survey {
     }
     complex_.keep_only(kept_);
     const Index kept = complex_.size();
-    fill_notches(complex_, spacing_, largest_mended);
+    fill_notches(complex_, spacing_, largest_mended, run_);
     for (Index t = kept; t < complex_.size(); ++t) mark(complex_.triangle(t));
     sizes_.forget(changed, run_);
   }

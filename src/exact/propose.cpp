@@ -138,9 +138,12 @@ class Proposer {
     }
   }
 
-  void fill_notches() {
-    const Index known = complex_.size();
-    for (Index t = 0; t < known; ++t) offer_at(t);
+  void fill_notches(const Run& run) {
+    const auto at_rim =
+        parallel_gather<Index>(complex_.size(), Stage::Survey, run, [&](Index t, std::vector<Index>& found) {
+          if (is_at_rim(t)) found.push_back(t);
+        });
+    for (const Index t : at_rim) offer_at(t);
     while (!queue_.empty()) {
       const Triangle triangle = queue_.top().second;
       queue_.pop();
@@ -152,6 +155,10 @@ class Proposer {
 
  private:
   using Notch = std::pair<double, Triangle>;  // size first
+
+  bool is_at_rim(Index t) const {
+    return complex_.across(t, 0) == none || complex_.across(t, 1) == none || complex_.across(t, 2) == none;
+  }
 
   // Offers the notches at both ends of each rim edge of a triangle.
   void offer_at(Index t) {
@@ -194,12 +201,12 @@ Complex propose_surface(Points points, const std::vector<Frame>& frames, const S
   Proposer proposer(complex, spacing, largest);
   proposer.take_fitting(std::move(rest));
   run.check_cancel();
-  proposer.fill_notches();
+  proposer.fill_notches(run);
   return complex;
 }
 
-void fill_notches(Complex& complex, const std::vector<double>& spacing, double largest) {
-  Proposer(complex, spacing, largest).fill_notches();
+void fill_notches(Complex& complex, const std::vector<double>& spacing, double largest, const Run& run) {
+  Proposer(complex, spacing, largest).fill_notches(run);
 }
 
 }  // namespace rimline::exact

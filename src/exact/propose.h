@@ -20,6 +20,6 @@ Complex propose_surface(Points points, const std::vector<Frame>& frames, const S
                         const std::vector<double>& spacing, double largest, const Run& run);
 
 // Fills notches in the rim with triangles up to `largest`, the smallest first.
-void fill_notches(Complex& complex, const std::vector<double>& spacing, double largest);
+void fill_notches(Complex& complex, const std::vector<double>& spacing, double largest, const Run& run);
 
 }  // namespace rimline::exact

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "parallel.h"
 #include "rimline/triangulate.h"
 
 namespace rimline::exact {
@@ -103,15 +104,21 @@ struct View {
 };
 
 // Directions spread evenly over half the sphere (a Fibonacci lattice), the least spread first.
-std::vector<View> look_around(const Look& look) {
-  constexpr int directions = 400;
-  std::vector<View> views;
-  for (int i = 0; i < directions; ++i) {
-    const double z = (i + 0.5) / directions, r = std::sqrt(1 - z * z);
-    const double angle = std::numbers::pi * (1 + std::sqrt(5.0)) * (i + 0.5);
+std::vector<View> look_around(const Look& look, const Run& run) {
+  constexpr int directions = 400, in_task = 16;
+  std::vector<View> views(directions);
+  const auto look_at = [&](std::size_t i) {
+    const double at = static_cast<double>(i) + 0.5, z = at / directions, r = std::sqrt(1 - z * z);
+    const double angle = std::numbers::pi * (1 + std::sqrt(5.0)) * at;
     const Point direction{r * std::cos(angle), r * std::sin(angle), z};
-    views.push_back({look.spread(direction), direction});
-  }
+    views[i] = {look.spread(direction), direction};
+  };
+  parallel_slices(
+      directions, Stage::Survey, run,
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) look_at(i);
+      },
+      in_task);
   std::stable_sort(views.begin(), views.end(),
                    [](const View& a, const View& b) { return a.spread < b.spread; });
   return views;
@@ -261,7 +268,7 @@ std::optional<Raster> find_raster(Points points, const Neighbours& neighbours, c
   // A nearly flat lattice is one from many sides; only this one sees it in full.
   if (auto found = raster(*front)) return found;
   const Look look(points, neighbours, quick);
-  const std::vector<View> views = look_around(look);
+  const std::vector<View> views = look_around(look, run);
   View best = views[0];
   for (int i = 0; i < starts; ++i) {
     const View view = settle(look, views[i]);
