@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vectors that are not filled with zeros first.
+// Vectors that are not filled with zeros first. Where zeros are asked for, src/first_touch.h shares their
+// pages.
 #pragma once
 
 #include <memory>
 #include <new>
-#include <utility>
 #include <vector>
 
 namespace rimline {
@@ -15,17 +15,8 @@ namespace rimline {
 template <class T>
 struct UnfilledAllocator : std::allocator<T> {
   template <class U>
-  struct rebind {
-    using other = UnfilledAllocator<U>;
-  };
-
-  template <class U>
   void construct(U* item) noexcept {
     ::new (static_cast<void*>(item)) U;
-  }
-  template <class U, class... Arguments>
-  void construct(U* item, Arguments&&... arguments) {
-    ::new (static_cast<void*>(item)) U(std::forward<Arguments>(arguments)...);
   }
 };
 

@@ -74,6 +74,10 @@ class Complex {
   Index across(Index triangle, Index a, Index b) const { return beside_[triangle][edge_of(triangle, a, b)]; }
   // The same for the edge that leaves its corner i, in {0, 1, 2}.
   Index across(Index triangle, int i) const { return beside_[triangle][i]; }
+  bool is_at_rim(Index triangle) const {
+    const auto& beside = beside_[triangle];
+    return beside[0] == none || beside[1] == none || beside[2] == none;
+  }
   // The vertex of the triangle that is neither a nor b.
   Index apex(Index triangle, Index a, Index b) const {
     return triangles_[triangle][(edge_of(triangle, a, b) + 2) % 3];

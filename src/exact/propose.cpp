@@ -141,7 +141,7 @@ class Proposer {
   void fill_notches(const Run& run) {
     const auto at_rim =
         parallel_gather<Index>(complex_.size(), Stage::Survey, run, [&](Index t, std::vector<Index>& found) {
-          if (is_at_rim(t)) found.push_back(t);
+          if (complex_.is_at_rim(t)) found.push_back(t);
         });
     for (const Index t : at_rim) offer_at(t);
     while (!queue_.empty()) {
@@ -155,10 +155,6 @@ class Proposer {
 
  private:
   using Notch = std::pair<double, Triangle>;  // size first
-
-  bool is_at_rim(Index t) const {
-    return complex_.across(t, 0) == none || complex_.across(t, 1) == none || complex_.across(t, 2) == none;
-  }
 
   // Offers the notches at both ends of each rim edge of a triangle.
   void offer_at(Index t) {

@@ -105,20 +105,14 @@ struct View {
 
 // Directions spread evenly over half the sphere (a Fibonacci lattice), the least spread first.
 std::vector<View> look_around(const Look& look, const Run& run) {
-  constexpr int directions = 400, in_task = 16;
+  constexpr int directions = 400;
   std::vector<View> views(directions);
-  const auto look_at = [&](std::size_t i) {
+  parallel_tasks(views.size(), Stage::Survey, run, [&](std::size_t i) {
     const double at = static_cast<double>(i) + 0.5, z = at / directions, r = std::sqrt(1 - z * z);
     const double angle = std::numbers::pi * (1 + std::sqrt(5.0)) * at;
     const Point direction{r * std::cos(angle), r * std::sin(angle), z};
     views[i] = {look.spread(direction), direction};
-  };
-  parallel_slices(
-      directions, Stage::Survey, run,
-      [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) look_at(i);
-      },
-      in_task);
+  });
   std::stable_sort(views.begin(), views.end(),
                    [](const View& a, const View& b) { return a.spread < b.spread; });
   return views;

@@ -255,7 +255,6 @@ class Places {
   void look_around(const std::vector<Bead>& beads, const Neighbours& neighbours, const Run& run) {
     std::unordered_map<Index, std::size_t> known;  // position in found_
     std::vector<std::vector<double>> about;        // the t of each bead that a place is a neighbour of
-    known.reserve(16 * beads.size());              // more than there are, mostly
     const auto ask = [&](Index point, double t) {
       const auto [at, is_new] = known.try_emplace(point, found_.size());
       if (is_new) {

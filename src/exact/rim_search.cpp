@@ -33,10 +33,6 @@ constexpr double far_from_usual = 0.35;  // log_ratio beyond the spread that let
 // over a small hole leaves gaps that look like those at creases, since its other rim lies beyond them.
 constexpr double plainly_too_large = 0.8;
 
-bool is_at_rim(const Complex& complex, Index t) {
-  return complex.across(t, 0) == none || complex.across(t, 1) == none || complex.across(t, 2) == none;
-}
-
 // Whether a triangle is larger than the smallest in the stars of its corners by so much that all around it
 // have to be asked. Most are not.
 std::vector<std::uint8_t> large_triangles(const Complex& complex, const Run& run) {
@@ -74,7 +70,7 @@ std::vector<Index> first_doubts(const Complex& complex, LocalSizes& sizes, const
                                 double doubtful, const Run& run) {
   std::vector<std::uint8_t> asked = large_triangles(complex, run);
   parallel_for_each(complex.size(), Stage::Loops, run, [&](Index t) {
-    asked[t] = asked[t] || (is_at_rim(complex, t) && !is_spared.may_be(complex.triangle(t)));
+    asked[t] = asked[t] || (complex.is_at_rim(t) && !is_spared.may_be(complex.triangle(t)));
   });
   const auto has_asked = [&](Index v) {
     const auto star = complex.star(v);
@@ -83,7 +79,7 @@ std::vector<Index> first_doubts(const Complex& complex, LocalSizes& sizes, const
   // Among random points most are asked, and bounds tell that most of these are nothing unusual.
   sizes.find_bounds(has_asked, run);
   parallel_for_each(complex.size(), Stage::Loops, run, [&](Index t) {
-    asked[t] = asked[t] && (is_at_rim(complex, t) || sizes.may_exceed(t, far_from_usual));
+    asked[t] = asked[t] && (complex.is_at_rim(t) || sizes.may_exceed(t, far_from_usual));
   });
   sizes.find(has_asked, run);
   return parallel_gather<Index>(complex.size(), Stage::Loops, run, [&](Index t, std::vector<Index>& found) {
@@ -91,7 +87,7 @@ std::vector<Index> first_doubts(const Complex& complex, LocalSizes& sizes, const
     const Triangle& x = complex.triangle(t);
     if (is_spared(x)) return;
     const double ratio = sizes.log_ratio(x);  // all sizes it needs are known
-    if (is_at_rim(complex, t) ? ratio > doubtful : ratio > far_from_usual + sizes.spread(x))
+    if (complex.is_at_rim(t) ? ratio > doubtful : ratio > far_from_usual + sizes.spread(x))
       found.push_back(t);
   });
 }

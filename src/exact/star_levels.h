@@ -10,7 +10,6 @@
 
 #include "exact/complex.h"
 #include "rimline/run.h"
-#include "rimline/unfilled.h"
 
 namespace rimline::exact {
 
@@ -49,7 +48,7 @@ class StarLevels {
  private:
   int lowest_ = 0;                    // the first level, as the bits of a number say it
   std::vector<std::uint32_t> start_;  // of each vertex's star in level_
-  UnfilledVector<std::uint8_t> level_;
+  std::vector<std::uint8_t> level_;
 };
 
 }  // namespace rimline::exact
