@@ -23,7 +23,9 @@ double noise_weight(double level);
 // Whether the points are strewn at random (1) or keep apart from each other (0), as scans and meshes do. At
 // random the distance to the nearest neighbour varies by 0.4 of its mean over the spacing, and the six
 // nearest are at 0.506 of the distance of the twelfth; where points keep apart it is 0.25 and 0.55, noise and
-// all.
+// all. Noise makes the steps along scan lines vary as at random, but it moves no point far: on samples of
+// 1,000 points the distance of the twelfth over that of the fortieth varies by 0.88 and more of what is
+// expected at random where points are so, and by 0.74 at most on scan lines, noise of half a step and all.
 double irregularity(const Neighbours& neighbours, const std::vector<double>& spacing);
 
 // The points moved along their normals by `weight` of the way to the quadric through the 24 nearest.

@@ -25,6 +25,7 @@
 #include "exact/rim_search.h"
 #include "exact/sheet.h"
 #include "exact/star.h"
+#include "exact/weave.h"
 #include "parallel.h"
 #include "rimline/loops.h"
 
@@ -418,7 +419,7 @@ class Survey {
               static_cast<float>(blurred_probability(drawn.depth[i], blur_.noise, loop.probability));
         }
         // Without noise, and among random points, the search knows better which points the line goes through.
-        if (blur_.noise > 0 && (blur_.irregular < 0.5 || drawn.woven)) {
+        if (blur_.noise > 0 && (blur_.irregular < 0.5 || blur_.woven)) {
           loop.points = drawn.loop;
           loop.length = length;
         }
@@ -516,8 +517,11 @@ BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, con
     return found;
   }
   const double level = exact::noise_level(points, neighbours, spacing, run);
-  const double heed = exact::noise_weight(level);
-  const exact::Blur blur{heed > 0 ? level : 0, exact::irregularity(neighbours, spacing)};
+  // Along scan lines points are closer than the spacing, so that less noise is much there.
+  constexpr double least_asked = 0.02;
+  const double weave = level > least_asked ? exact::weave_ratio(points, neighbours, spacing, run) : 0;
+  const double heed = exact::noise_weight(level * std::exp(weave / 2));
+  const exact::Blur blur{heed > 0 ? level : 0, exact::irregularity(neighbours, spacing), weave > 0};
   const auto survey = [&](Points at, const Neighbours& near, std::vector<double> spacing_there) {
     return exact::Survey(at, near, scores, options, length_exponent, blur, std::nullopt,
                          std::move(spacing_there), run)

@@ -93,12 +93,11 @@ class Curve {
   // Whether points lie closer in one direction than in another.
   bool woven() const { return woven_; }
 
-  // Measures in which directions points lie close, from those behind the rim: places t, ascending, and
-  // offsets along the curve and out to neighbours, in spacings.
+  // Measures in which directions points lie close, where they do, from those behind the rim: places t,
+  // ascending, and offsets along the curve and out to neighbours, in spacings.
   void set_weaves(const std::vector<std::pair<double, Offset>>& offsets) {
-    constexpr double window = 6;         // of t, to either side
-    constexpr std::size_t stride = 6;    // from one measure to the next; between them it changes little
-    constexpr double least_mean = 0.85;  // of the log ratio: random points have 0.6, scan lines 1.2 or more
+    constexpr double window = 6;       // of t, to either side
+    constexpr std::size_t stride = 6;  // from one measure to the next; between them it changes little
     const auto take = [&](double from, double to, std::vector<Offset>& near) {
       auto at = std::lower_bound(offsets.begin(), offsets.end(), from,
                                  [](const auto& x, double t) { return x.first < t; });
@@ -117,14 +116,7 @@ class Curve {
       stations_[i].along_weave = std::sqrt(weaves[i / stride].xx);
       stations_[i].out_weave = std::sqrt(weaves[i / stride].yy);
     }
-    double sum = 0;
-    for (const Weave& weave : weaves) {
-      sum += std::acosh(std::max(1.0, (weave.xx + weave.yy) / 2));  // half the sum of e^ratio and e^-ratio
-    }
-    const auto measures = static_cast<double>(weaves.size());
-    woven_ = sum / measures >= least_mean;
-    if (woven_) return;
-    for (Station& s : stations_) s.along_weave = s.out_weave = 1;
+    woven_ = true;
   }
 
   // Area in square spacings of a strip one spacing wide, as the weave has it, `depth` spacings inwards.
@@ -207,13 +199,15 @@ struct Place {
 class Places {
  public:
   Places(Curve& curve, Points points, const Neighbours& neighbours, const std::vector<Bead>& beads,
-         const Run& run)
+         bool woven, const Run& run)
       : curve_(curve), points_(points) {
     look_around(beads, neighbours, run);
     std::erase_if(found_, [](const Place& p) { return p.squared_distance == infinite; });
     for (Place& p : found_) p.t -= curve.period() * std::floor(p.t / curve.period());
-    curve.set_weaves(offsets_behind(neighbours));
-    for (Place& p : found_) p.out *= station_of(p).out_weave;
+    if (woven) {
+      curve.set_weaves(offsets_behind(neighbours));
+      for (Place& p : found_) p.out *= station_of(p).out_weave;
+    }
     std::sort(found_.begin(), found_.end(), [](const Place& a, const Place& b) {
       return std::tie(b.out, a.point) < std::tie(a.out, b.point);
     });
@@ -487,20 +481,19 @@ Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<do
   Redrawn result;
   for (int round = 0; round < rounds; ++round) {
     if (!curve.fit(beads, static_cast<double>(rim.size()), window)) return {};
-    const Places places(curve, points, neighbours, beads, run);
+    const Places places(curve, points, neighbours, beads, blur.woven, run);
     std::size_t count = expected_count(curve, places, row_of(places, beads));
     if (count < shortest || count >= places.found().size()) return {};
-    const std::size_t close = curve.woven() ? 0 : beside(count, blur);  // rows are not strewn
+    const std::size_t close = blur.woven ? 0 : beside(count, blur);  // rows are not strewn
     // What is behind a rim with more points than that does not tell its points.
     if (count + close < rim.size()) return {};
     count = places.valley(count);
     const auto& all = places.found();
     const std::size_t last = std::min(all.size() - 1, count + close);
-    const bool even = blur.noise > 0 && blur.irregular < 0.5 && !curve.woven();
+    const bool even = blur.noise > 0 && blur.irregular < 0.5 && !blur.woven;
     on_rim =
         even && round + 1 == rounds ? likeliest_way(curve, all, count, blur.noise) : outermost(all, count);
     beads = outermost(all, last);
-    result.woven = curve.woven();
     result.near.clear();
     result.depth.clear();
     const double line = parting_line(all, count, last, blur);

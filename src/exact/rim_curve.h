@@ -14,10 +14,10 @@ namespace rimline::exact {
 struct Blur {
   double noise = 0;      // standard deviation of the points over the spacing
   double irregular = 0;  // 1 where points are strewn at random, 0 where they keep apart
+  bool woven = false;    // whether points lie closer in one direction than in another, as along scan lines
 };
 
 struct Redrawn {
-  bool woven = false;       // whether points lie closer in one direction than in another, as along scan lines
   std::vector<Index> loop;  // simple; empty where the rim can not be drawn anew
   std::vector<Index> near;  // all points that were looked at, from the outermost inwards ...
   std::vector<double> depth;  // ... and how far outside the line each lies, in spacings, that parts the

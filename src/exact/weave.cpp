@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact/weave.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "exact/frame.h"
+#include "parallel.h"
 
 namespace rimline::exact {
 namespace {
@@ -44,6 +48,38 @@ Weave find_weave(const std::vector<Offset>& offsets) {
     weave = scaled(weave, 1 / std::sqrt(determinant(weave)));
   }
   return weave;
+}
+
+double log_ratio(const Weave& weave) {
+  return std::acosh(std::max(1.0, (weave.xx + weave.yy) / 2));  // half the sum of e^r and e^-r
+}
+
+double weave_ratio(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                   const Run& run) {
+  constexpr std::size_t most_asked = 256;
+  constexpr int count = 16;
+  constexpr double least = 0.85;
+  const std::size_t stride = 1 + (points.size() - 1) / most_asked;
+  std::vector<double> ratio((points.size() - 1) / stride + 1);
+  parallel_tasks(ratio.size(), Stage::Survey, run, [&](std::size_t i) {
+    const auto p = static_cast<Index>(stride * i);
+    const auto near = neighbours.of(p, std::min(count, neighbours.k));
+    const Frame frame = fit_frame(points, near, p);
+    std::vector<Offset> offsets;
+    const auto take = [&](Index from) {
+      for (const Index v : neighbours.of(from, std::min(count, neighbours.k))) {
+        const Point d = (1 / spacing[p]) * (points[v] - points[from]);
+        offsets.push_back({dot(d, frame.u), dot(d, frame.v)});
+      }
+    };
+    take(p);
+    for (const Index v : near) take(v);
+    ratio[i] = log_ratio(find_weave(offsets));
+  });
+  double sum = 0;
+  for (const double r : ratio) sum += r;
+  const double mean = sum / static_cast<double>(ratio.size());
+  return mean >= least ? mean : 0;
 }
 
 }  // namespace rimline::exact

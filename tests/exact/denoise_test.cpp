@@ -70,7 +70,7 @@ TEST_CASE("random points are told from those that keep apart, under noise as wel
          {Sampling::BlueNoise, Sampling::Grid, Sampling::DensityStep, Sampling::Cropped}) {
       for (const double noise : {0.0, 0.5}) CHECK(irregularity_of(shape, even, noise) == 0);
     }
-    CHECK(irregularity_of(shape, Sampling::ScanLines, 0) == 0);
+    for (const double noise : {0.0, 0.5}) CHECK(irregularity_of(shape, Sampling::ScanLines, noise) == 0);
   }
 }
 

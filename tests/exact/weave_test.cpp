@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "rimline/sample.h"
+
+using namespace rimline;
 using namespace rimline::exact;
 
 namespace {
@@ -42,4 +45,25 @@ TEST_CASE("in a lattice the weave makes both steps alike, whichever way it is tu
 TEST_CASE("no offsets, or all on one line, weave nothing") {
   CHECK(find_weave({}).xx == 1);
   CHECK(find_weave({{1, 0}, {-1, 0}}).xy == 0);
+}
+
+TEST_CASE("scan lines are told from all other samples, under noise as well") {
+  for (const Shape shape : {Shape::FlatDisc, Shape::CurledStrip}) {
+    for (const Sampling sampling : all_samplings()) {
+      for (const double noise : {0.0, 0.5}) {
+        CAPTURE(name(shape));
+        CAPTURE(name(sampling));
+        CAPTURE(noise);
+        SampleOptions options;
+        options.shape = shape;
+        options.sampling = sampling;
+        options.n = 2000;
+        options.noise = noise;
+        const Sample drawn = sample(options, {});
+        const Neighbours neighbours = find_neighbours(drawn.points, 40, {});
+        const double ratio = weave_ratio(drawn.points, neighbours, local_spacing(neighbours), {});
+        CHECK((ratio > 0) == (sampling == Sampling::ScanLines));
+      }
+    }
+  }
 }
