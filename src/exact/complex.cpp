@@ -16,6 +16,11 @@ double circumradius(Point a, Point b, Point c) {
   return distance(a, b) * distance(b, c) * distance(c, a) / (2 * twice_area);
 }
 
+double angle_at(Point a, Point b, Point c) {
+  const Point to_a = a - b, to_c = c - b;
+  return std::atan2(norm(cross(to_a, to_c)), dot(to_a, to_c));
+}
+
 Complex::AtVertices::AtVertices(const Stars& stars) : stars_(stars), places_(stars.size()) {
   for (std::size_t v = 0; v < stars.size(); ++v) {
     const auto room = static_cast<std::uint32_t>(stars[v].size());

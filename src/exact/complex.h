@@ -18,6 +18,8 @@ namespace rimline::exact {
 
 // Radius of the circle through three points in space; infinite where they lie on a line.
 double circumradius(Point a, Point b, Point c);
+// The angle at b between a and c, radians.
+double angle_at(Point a, Point b, Point c);
 
 // Each edge has at most two triangles. The triangles of a vertex form fans (in a row around it); more than
 // one fan is a pinch. The boundary of any subset of the triangles, taken modulo 2, is closed: it is what the

@@ -25,6 +25,7 @@
 #include "exact/rim_search.h"
 #include "exact/sheet.h"
 #include "exact/star.h"
+#include "exact/usual_corners.h"
 #include "exact/weave.h"
 #include "parallel.h"
 #include "rimline/loops.h"
@@ -182,10 +183,18 @@ class Survey {
     return barred;
   }
 
+  // Not among random points, whose rims look jagged by chance.
   void open_jagged_rims() {
-    if (raster_ || blur_.noise > 0 || options_.rim_generations == 0) return;
+    if (raster_ || blur_.noise > 0 || blur_.irregular >= 0.5 || options_.rim_generations == 0) return;
     in_notch_.assign(points_.size(), 0);
-    for (const Index v : open_notches(complex_, sizes_, scores_, boundary_rims(), kept_)) in_notch_[v] = 1;
+    auto rims = boundary_rims();
+    usual_ = UsualCorners(complex_, sizes_, neighbours_, rims, kept_);
+    // The rim shows how jagged it is only when the first notches are open, and what is behind them.
+    constexpr int layers = 2;
+    for (int layer = 0; layer < layers; ++layer) {
+      if (layer > 0) rims = boundary_rims();
+      for (const Index v : open_notches(complex_, sizes_, usual_, rims, kept_)) in_notch_[v] = 1;
+    }
   }
 
   std::vector<std::vector<Index>> boundary_rims() const {
@@ -386,9 +395,8 @@ class Survey {
       if (jagged[i] == 0) continue;
       const Index a = ids[i], b = ids[i + 1 < ids.size() ? i + 1 : 0];
       const Index behind = complex_.apex(triangle_at(a, b), a, b);
-      raise(behind, jagged_point_probability(jagged_log_odds(complex_, sizes_, {a, behind, b},
-                                                             scores_.log_score[behind], jagged[i]),
-                                             jagged[i], c.loop.probability));
+      const double odds = jagged_log_odds(complex_, sizes_, usual_, {a, behind, b}, jagged[i]);
+      raise(behind, jagged_point_probability(odds, jagged[i], c.loop.probability));
       for (const Index t : complex_.star(a)) {
         if (!kept_[t]) continue;
         for (const Index v : complex_.triangle(t))
@@ -495,6 +503,7 @@ class Survey {
   Complex complex_;
   LocalSizes sizes_;
   Kept kept_;
+  UsualCorners usual_;
   std::vector<std::uint8_t> in_notch_;  // of points on the rim that were behind it before notches opened
   Sheets sheets_;
   std::vector<Candidate> candidates_;

@@ -19,7 +19,7 @@ struct Notch {
 
 }  // namespace
 
-std::vector<Index> open_notches(const Complex& complex, LocalSizes& sizes, const BoundaryScores& scores,
+std::vector<Index> open_notches(const Complex& complex, LocalSizes& sizes, const UsualCorners& usual,
                                 const std::vector<std::vector<Index>>& rims, Kept& kept) {
   std::vector<std::uint8_t> on_rim(complex.vertices(), 0);
   for (const auto& rim : rims) {
@@ -34,8 +34,7 @@ std::vector<Index> open_notches(const Complex& complex, LocalSizes& sizes, const
       const Index t = kept_triangle(complex, kept, a, b);
       const Index behind = complex.apex(t, a, b);
       if (on_rim[behind]) continue;
-      const double odds =
-          jagged_log_odds(complex, sizes, {a, behind, b}, scores.log_score[behind], jagged[i]);
+      const double odds = jagged_log_odds(complex, sizes, usual, {a, behind, b}, jagged[i]);
       if (odds > 0) notches.push_back({odds, t, behind});
     }
   }

@@ -41,13 +41,11 @@ double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeight
   return weights.open + weights.size * ratio + weights.own * own - open + filled;
 }
 
-double jagged_log_odds(const Complex& complex, LocalSizes& sizes, const Triangle& notch,
-                       double chi_square_score, double jaggedness) {
+double jagged_log_odds(const Complex& complex, LocalSizes& sizes, const UsualCorners& usual,
+                       const Triangle& notch, double jaggedness) {
   const Points p = complex.points();
-  const Point a = p[notch[0]] - p[notch[1]], b = p[notch[2]] - p[notch[1]];
-  const double angle = std::atan2(norm(cross(a, b)), dot(a, b));
-  const double size = sizes.log_ratio(notch) / (sizes.spread(notch) + 0.1);
-  return -10.3 + 2.4 * angle + size + 0.62 * std::log1p(chi_square_score) + 4.7 * jaggedness;
+  const double angle = angle_at(p[notch[0]], p[notch[1]], p[notch[2]]);
+  return -6.69 + 1.56 * angle + 0.42 * usual.rarity(angle, sizes.log_ratio(notch)) + 1.79 * jaggedness;
 }
 
 double loop_probability(std::size_t points, double emptiness, double thickness) {

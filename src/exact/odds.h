@@ -9,6 +9,7 @@
 #include "exact/complex.h"
 #include "exact/local_size.h"
 #include "exact/rim_energy.h"
+#include "exact/usual_corners.h"
 
 namespace rimline::exact {
 
@@ -18,10 +19,11 @@ double notch_log_odds(const Complex& complex, LocalSizes& sizes, const RimWeight
                       const std::array<Index, 5>& run);
 
 // The same for the notch a, behind, b of a jagged rim: by how wide the rim's edge a, b is seen from the point
-// behind it, how large the triangle is, the point's chi-square score -log p, and how jagged the rim is. Where
-// a piece is cut out of a surface, triangles are missing, and what is put in their place is obtuse.
-double jagged_log_odds(const Complex& complex, LocalSizes& sizes, const Triangle& notch,
-                       double chi_square_score, double jaggedness);
+// behind it, how rare corners as wide in triangles as large are on the surface behind the rims, and how jagged
+// the rim is. Where a piece is cut out of a surface, triangles are missing, and what is put in their place is
+// obtuse.
+double jagged_log_odds(const Complex& complex, LocalSizes& sizes, const UsualCorners& usual,
+                       const Triangle& notch, double jaggedness);
 
 // That a rim is a boundary of the surface and not the end of what could be triangulated: by its number of
 // points, the median over its edges of emptiness_beyond(), and the mean thickness of the frames along it.
