@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "exact/cut_plane.h"
 #include "exact/denoise.h"
 #include "exact/evidence.h"
 #include "exact/frame.h"
@@ -43,6 +44,7 @@ namespace {
 constexpr double largest_proposed = 4.0;  // spacings; the rim search takes away what is too much
 constexpr std::size_t least_gap = 6;  // points of a gap that is told from a boundary; smaller ones say little
 constexpr double largest_mended = 1.0;   // spacings; what notches it leaves are filled with at once
+constexpr double deepest_at_cut = 1;     // spacings behind the outermost points of a rim cut by a plane
 constexpr double folded = 0.15;          // frame thickness of a neighbourhood that is no patch
 constexpr std::size_t least_sheet = 10;  // triangles; smaller scraps are no surface
 
@@ -86,6 +88,7 @@ class Survey {
     apply_policy();
     rate_points();
     if (blur_.noise > 0 || blur_.irregular > 0) redraw_loops();
+    if (!raster_) rate_at_cuts();
     rate_loops();
     label_points();
     result_.triangles.reserve(complex_.size());
@@ -393,6 +396,7 @@ class Survey {
     const std::vector<double> jagged = jaggedness(points_, ids);
     for (std::size_t i = 0; i < ids.size(); ++i) {
       if (jagged[i] == 0) continue;
+      raise(ids[i], on_jagged_rim(jagged[i], c.loop.probability));
       const Index a = ids[i], b = ids[i + 1 < ids.size() ? i + 1 : 0];
       const Index behind = complex_.apex(triangle_at(a, b), a, b);
       const double odds = jagged_log_odds(complex_, sizes_, usual_, {a, behind, b}, jagged[i]);
@@ -401,6 +405,23 @@ class Survey {
         if (!kept_[t]) continue;
         for (const Index v : complex_.triangle(t))
           raise(v, behind_jagged_point(jagged[i], c.loop.probability));
+      }
+    }
+  }
+
+  // Where a plane has cut the surface, what lies at the plane as the outermost points of the rim do may be on
+  // the boundary, though triangles join it to the others.
+  void rate_at_cuts() {
+    for (const Loop& loop : result_.loops) {
+      const auto plane = CutPlane::find(points_, neighbours_, spacing_, frames_, loop.points);
+      if (!plane) continue;
+      const std::vector<double> jagged = jaggedness(points_, loop.points);
+      for (std::size_t i = 0; i < loop.points.size(); ++i) {
+        const double p = at_cut_probability(jagged[i], loop.probability);
+        for (const Index v : neighbours_.of(loop.points[i])) {
+          if (result_.probability[v] >= p) continue;
+          if (plane->depth(points_, neighbours_, spacing_, frames_, v) < deepest_at_cut) raise(v, p);
+        }
       }
     }
   }

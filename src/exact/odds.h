@@ -46,6 +46,13 @@ double point_probability(double notch, bool on_rim, double chi_square_score, dou
 double jagged_point_probability(double log_odds, double jaggedness, double loop_probability);
 double behind_jagged_point(double jaggedness, double loop_probability);
 
+// That a point of a jagged rim is on the boundary, whatever the chi-square test says: it sees the corners of a
+// winding rim badly.
+double on_jagged_rim(double jaggedness, double loop_probability);
+
+// That a point is on the boundary that lies at a plane that has cut the surface, though no rim goes through it.
+double at_cut_probability(double jaggedness, double loop_probability);
+
 // That a point is on a boundary that was drawn anew under noise: by how far outside the line that parts the
 // points of the loop from those inside it lies, in spacings; `noise` in spacings as well.
 double blurred_probability(double depth, double noise, double loop_probability);

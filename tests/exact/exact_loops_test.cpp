@@ -275,6 +275,22 @@ TEST_CASE(
   CHECK(ruled_out(Sampling::BlueNoise) > 20);
 }
 
+TEST_CASE("points of jagged rims are probable, and those at the plane of a cut are not ruled out") {
+  const Sample holes = make(Shape::SquareWithHoles, Sampling::Cropped, 1000);
+  const Found found = find_loops(holes.points);
+  for (const Loop& loop : found.survey.loops) {
+    for (const Index v : loop.points) CHECK(found.survey.probability[v] >= 0.5);
+  }
+  const Sample pipe = make(Shape::Pipe, Sampling::Cropped, 4000);
+  const Arrangement arranged = arrange(pipe.points, {});
+  const std::vector<float> p = find_loops(pipe.points).survey.probability;
+  std::set<Index> rim;
+  for (const Loop& loop : pipe.loops) rim.insert(loop.points.begin(), loop.points.end());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (rim.count(arranged.ids[i])) CHECK(p[i] >= 0.1);
+  }
+}
+
 TEST_CASE("the search finds a hole in rows that are far apart") {
   // A tunnel of rows two units apart along x, one unit along y, with a round hole.
   std::vector<Point> points;
