@@ -304,7 +304,9 @@ class Survey {
     }
     if (empty.empty()) return 0;
     std::nth_element(empty.begin(), empty.begin() + empty.size() / 2, empty.end());
-    return loop_probability(ids.size(), empty[empty.size() / 2], thickness);
+    // Under noise what lies beyond a small opening is too blurred to outweigh that its rim looks like a crease.
+    const double bend = blur_.noise > 0 ? no_gap(discs(ids)) * thickness_of_opening(ids.size()) : 0;
+    return loop_probability(ids.size(), empty[empty.size() / 2], std::max(0.0, thickness - bend));
   }
 
   // Notches are as narrow as the samples behind them and say nothing of what lies beyond the rim.

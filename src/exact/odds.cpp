@@ -53,6 +53,8 @@ double loop_probability(std::size_t points, double emptiness, double thickness) 
   return logistic(-2.4 + 0.8 * size - 7 * thickness + 2.4 * std::min(emptiness, 3.0));
 }
 
+double thickness_of_opening(std::size_t points) { return 4 / std::pow(static_cast<double>(points), 1.5); }
+
 double no_gap(double discs) { return std::pow(std::min(1.0, discs), 2); }
 
 double raster_loop_probability(std::size_t points) {

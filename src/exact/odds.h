@@ -29,6 +29,11 @@ double jagged_log_odds(const Complex& complex, LocalSizes& sizes, const UsualCor
 // points, the median over its edges of emptiness_beyond(), and the mean thickness of the frames along it.
 double loop_probability(std::size_t points, double emptiness, double thickness);
 
+// How thick frames may be along a rim of a few points that is no crease: about an opening that small a surface
+// bends within its neighbourhoods. Half of what the end of a tube has, 8 / n^1.5 with n even points around in
+// square rows (within a tenth from 7 to 24), since not all are as narrow behind it.
+double thickness_of_opening(std::size_t points);
+
 // That a loop is no gap between one of its points and its neighbours, as density borders have them: by its
 // vector area over that of a disc whose radius is the largest spacing on it. 1 from one disc on.
 double no_gap(double discs);

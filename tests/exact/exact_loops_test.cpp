@@ -339,6 +339,15 @@ TEST_CASE("a small hole is found under noise of half a spacing") {
   CHECK(found >= 5);
 }
 
+TEST_CASE("the end of a pipe is found under noise where a dozen points are around it") {
+  int found = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
+    const Sample sample = make(Shape::Pipe, Sampling::DensityStep, 1000, 0.5, seed);
+    found += find_loops(sample.points).loops.size() == 2;
+  }
+  CHECK(found == 8);
+}
+
 TEST_CASE("the rim of noisy scan lines is found along and across them") {
   for (const Shape shape : {Shape::BumpySquare, Shape::HemisphereCap}) {
     for (const double noise : {0.1, 0.2}) {
