@@ -194,9 +194,11 @@ class Survey {
     usual_ = UsualCorners(complex_, sizes_, neighbours_, rims, kept_);
     // The rim shows how jagged it is only when the first notches are open, and what is behind them.
     constexpr int layers = 2;
-    for (int layer = 0; layer < layers; ++layer) {
-      if (layer > 0) rims = boundary_rims();
-      for (const Index v : open_notches(complex_, sizes_, usual_, rims, kept_)) in_notch_[v] = 1;
+    for (int layer = 1;; ++layer) {
+      const std::vector<Index> opened = open_notches(complex_, sizes_, usual_, rims, kept_);
+      for (const Index v : opened) in_notch_[v] = 1;
+      if (opened.empty() || layer == layers) break;
+      rims = boundary_rims();
     }
   }
 
