@@ -49,7 +49,7 @@ std::string property_lines(const Cloud& cloud) {
 std::string spacing_line(const Arrangement& distinct, const Run& run) {
   constexpr int six = 6;  // what local_spacing() averages over
   const auto neighbours = find_neighbours(distinct.points, six, run);
-  auto spacing = local_spacing(neighbours);
+  auto spacing = local_spacing(distinct.points, neighbours);
   std::sort(spacing.begin(), spacing.end());
   const auto at = [&](double share) {
     return spacing[static_cast<std::size_t>(share * static_cast<double>(spacing.size() - 1))];

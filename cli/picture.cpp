@@ -56,7 +56,7 @@ std::vector<double> spacing_in_pixels(Points points, double scale, const Run& ru
   const Arrangement distinct = arrange(points, run);
   std::vector<double> result(points.size(), 0);
   if (distinct.points.size() < 2) return result;
-  const auto spacing = local_spacing(find_neighbours(distinct.points, 6, run));
+  const auto spacing = local_spacing(distinct.points, find_neighbours(distinct.points, 6, run));
   for (std::size_t i = 0; i < spacing.size(); ++i) result[distinct.ids[i]] = scale * spacing[i];
   return result;
 }

@@ -22,7 +22,7 @@ constexpr double solve_bytes = 500, solve_neighbour_bytes = 95;  // of eq. (4) a
 constexpr double triangulate_bytes = 250;
 constexpr double factor_bytes = 230;  // of the system of a free map and its factor, times log2 of the points
 constexpr double fixed_bytes = 32e6;  // the program itself
-constexpr double neighbour_bytes = sizeof(Index) + sizeof(double);
+constexpr double neighbour_bytes = sizeof(Index);
 
 std::string gigabytes(double bytes) { return fmt::format("{:.3g} GB", bytes / 1e9); }
 

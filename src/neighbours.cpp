@@ -25,7 +25,6 @@ Neighbours find_neighbours(Points points, int k, const Run& run) {
   Neighbours result;
   result.k = static_cast<int>(std::min<std::size_t>(k, points.size() - 1));
   result.ids.resize(points.size() * result.k);  // the search writes all
-  result.distance.resize(points.size() * result.k);
   const KdTree tree(points, points_in_leaf, run);
   parallel_slices(
       tree.leaf_count(), Stage::Neighbours, run,
@@ -37,12 +36,12 @@ Neighbours find_neighbours(Points points, int k, const Run& run) {
   return result;
 }
 
-std::vector<double> local_spacing(const Neighbours& neighbours, const Run& run) {
+std::vector<double> local_spacing(Points points, const Neighbours& neighbours, const Run& run) {
   const int nearest = std::min(6, neighbours.k);
   std::vector<double> spacing(neighbours.size());
   parallel_for_each(spacing.size(), Stage::Neighbours, run, [&](Index i) {
     double sum = 0;
-    for (int j = 0; j < nearest; ++j) sum += neighbours.distances_of(i)[j];
+    for (int j = 0; j < nearest; ++j) sum += distance_to(points, neighbours, i, j);
     spacing[i] = sum / nearest;
   });
   return spacing;

@@ -45,17 +45,13 @@ std::vector<Index> nearest_by_brute_force(Points points, Index self, int k) {
 
 void check_against_brute_force(Points points, int k) {
   const Neighbours neighbours = find_neighbours(points, k, {});
-  std::size_t wrong_lists = 0, wrong_distances = 0;
+  std::size_t wrong_lists = 0;
   for (Index i = 0; i < points.size(); ++i) {
     const auto list = neighbours.of(i);
     wrong_lists +=
         std::vector<Index>(list.begin(), list.end()) != nearest_by_brute_force(points, i, neighbours.k);
-    for (int j = 0; j < neighbours.k; ++j) {
-      wrong_distances += neighbours.distances_of(i)[j] != distance(points[i], points[list[j]]);
-    }
   }
   CHECK(wrong_lists == 0);
-  CHECK(wrong_distances == 0);
 }
 
 TEST_CASE("the neighbours of random points are those of brute force") {
@@ -173,7 +169,6 @@ TEST_CASE("one and two threads give the same neighbours") {
   two.threads = 2;
   const Neighbours a = find_neighbours(points, 20, one), b = find_neighbours(points, 20, two);
   CHECK(a.ids == b.ids);
-  CHECK(a.distance == b.distance);
 }
 
 TEST_CASE("a set smaller than k has n - 1 neighbours") {
@@ -187,7 +182,7 @@ TEST_CASE("a single point has no neighbours and says so") {
 TEST_CASE("the spacing on a long row is the mean of the six nearest distances") {
   std::vector<Point> row;
   for (int i = 0; i < 9; ++i) row.push_back({1.0 * i, 0, 0});
-  CHECK(local_spacing(find_neighbours(row, 8, {}))[4] == doctest::Approx((1 + 1 + 2 + 2 + 3 + 3) / 6.0));
+  CHECK(local_spacing(row, find_neighbours(row, 8, {}))[4] == doctest::Approx((1 + 1 + 2 + 2 + 3 + 3) / 6.0));
 }
 
 TEST_CASE("a run that was stopped throws Cancelled") {

@@ -46,7 +46,7 @@ void take_loops(LoopIds loops, const Arrangement& arrangement, Outcome& outcome)
 void find_arcs(const Case& c, Outcome& outcome) {
   const Prepared p = prepare(c);
   const auto& points = p.arrangement.points;
-  const auto spacing = local_spacing(p.neighbours);
+  const auto spacing = local_spacing(points, p.neighbours);
   const auto frames = exact::fit_frames(points, p.neighbours, one_thread());
   const auto stars = exact::find_stars(points, p.neighbours, spacing, frames, one_thread());
   take_loops(closed_arcs(mutual_edges(points, stars, spacing)), p.arrangement, outcome);

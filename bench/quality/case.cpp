@@ -15,7 +15,7 @@ void measure_spacing(Case& c) {
   Run run;
   run.threads = 1;
   c.neighbours = find_neighbours(c.points, neighbours, run);
-  c.spacing = local_spacing(c.neighbours);
+  c.spacing = local_spacing(c.points, c.neighbours);
 }
 
 }  // namespace rimline::bench

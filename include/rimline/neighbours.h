@@ -18,7 +18,6 @@ namespace rimline {
 struct Neighbours {
   int k = 0;                  // neighbours per point: what was asked for, or n - 1 where the set is smaller
   UnfilledVector<Index> ids;  // n * k, list after list
-  UnfilledVector<double> distance;  // n * k, in the unit of the points
 
   Index size() const { return k == 0 ? 0 : static_cast<Index>(ids.size() / static_cast<std::size_t>(k)); }
   std::span<const Index> of(Index point) const { return of(point, k); }
@@ -26,15 +25,18 @@ struct Neighbours {
   std::span<const Index> of(Index point, int count) const {
     return {ids.data() + static_cast<std::size_t>(point) * k, static_cast<std::size_t>(count)};
   }
-  std::span<const double> distances_of(Index point) const {
-    return {distance.data() + static_cast<std::size_t>(point) * k, static_cast<std::size_t>(k)};
-  }
 };
+
+// The distance from a point to the neighbour at `rank`, 0 for the nearest. Not kept in the lists: it is read
+// from the points again in less time than the memory for a million lists of distances takes.  [ours]
+inline double distance_to(Points points, const Neighbours& neighbours, Index point, int rank) {
+  return distance(points[point], points[neighbours.of(point)[static_cast<std::size_t>(rank)]]);
+}
 
 // Requires finite points and k >= 1. Throws TooFewPoints for fewer than two points.
 Neighbours find_neighbours(Points points, int k, const Run& run);
 
 // The spacing of every point: the mean distance to its six nearest neighbours (fewer in a smaller set).
-std::vector<double> local_spacing(const Neighbours& neighbours, const Run& run = {});
+std::vector<double> local_spacing(Points points, const Neighbours& neighbours, const Run& run = {});
 
 }  // namespace rimline

@@ -26,7 +26,7 @@ Quadric fit_quadric(Points points, const Neighbours& neighbours, Index self, int
   const Frame frame = fit_frame(points, ids, self);
   Quadric quadric{frame.normal};
   if (ids.size() < terms + 2) return quadric;
-  const double scale = 1 / neighbours.distances_of(self)[ids.size() - 1];
+  const double scale = 1 / distance(points[self], points[ids.back()]);
   Eigen::Matrix<double, terms, terms> squares = Eigen::Matrix<double, terms, terms>::Zero();
   Row right = Row::Zero();
   double heights = 0;
@@ -77,23 +77,24 @@ double noise_level(Points points, const Neighbours& neighbours, const std::vecto
   return *lower / quartile;
 }
 
-double irregularity(const Neighbours& neighbours, const std::vector<double>& spacing) {
-  constexpr std::size_t most_asked = 4096, far = 11;
-  constexpr int farthest = 39;
+double irregularity(Points points, const Neighbours& neighbours, const std::vector<double>& spacing) {
+  constexpr std::size_t most_asked = 4096;
+  constexpr int far = 11, farthest = 39;
   const auto n = static_cast<std::size_t>(neighbours.size());
-  if (neighbours.k <= static_cast<int>(far) + 1) return 0;
-  const auto last = static_cast<std::size_t>(std::min(farthest, neighbours.k - 1));
+  if (neighbours.k <= far + 1) return 0;
+  const int last = std::min(farthest, neighbours.k - 1);
   const std::size_t stride = 1 + (n - 1) / most_asked;
   double count = 0, sum = 0, squares = 0;
   std::vector<double> crowding, reach;
   for (std::size_t i = 0; i < n; i += stride) {
-    const auto distance = neighbours.distances_of(static_cast<Index>(i));
-    const double nearest = distance[0] / spacing[i];
+    const auto p = static_cast<Index>(i);
+    const double nearest = distance_to(points, neighbours, p, 0) / spacing[i];
     count += 1;
     sum += nearest;
     squares += nearest * nearest;
-    crowding.push_back(spacing[i] / distance[far]);
-    reach.push_back(std::log(distance[far] / distance[last]));
+    const double twelfth = distance_to(points, neighbours, p, far);
+    crowding.push_back(spacing[i] / twelfth);
+    reach.push_back(std::log(twelfth / distance_to(points, neighbours, p, last)));
   }
   const auto middle = crowding.begin() + static_cast<std::ptrdiff_t>(crowding.size() / 2);
   std::nth_element(crowding.begin(), middle, crowding.end());

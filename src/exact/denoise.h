@@ -26,7 +26,7 @@ double noise_weight(double level);
 // all. Noise makes the steps along scan lines vary as at random, but it moves no point far: on samples of
 // 1,000 points the distance of the twelfth over that of the fortieth varies by 0.88 and more of what is
 // expected at random where points are so, and by 0.74 at most on scan lines, noise of half a step and all.
-double irregularity(const Neighbours& neighbours, const std::vector<double>& spacing);
+double irregularity(Points points, const Neighbours& neighbours, const std::vector<double>& spacing);
 
 // The points moved along their normals by `weight` of the way to the quadric through the 24 nearest.
 std::vector<Point> take_off_noise(Points points, const Neighbours& neighbours, double weight, const Run& run);

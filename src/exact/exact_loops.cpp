@@ -541,7 +541,7 @@ class Survey {
 BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                                 const ExactLoopOptions& options, double length_exponent, const Run& run) {
   exact::check(points, options);
-  std::vector<double> spacing = local_spacing(neighbours, run);
+  std::vector<double> spacing = local_spacing(points, neighbours, run);
   const std::optional<exact::Raster> raster = exact::find_raster(points, neighbours, run);
   if (raster) {
     BoundarySurvey found = exact::Survey(points, neighbours, scores, options, length_exponent, {}, raster,
@@ -555,7 +555,8 @@ BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, con
   constexpr double least_asked = 0.02;
   const double weave = level > least_asked ? exact::weave_ratio(points, neighbours, spacing, run) : 0;
   const double heed = exact::noise_weight(level * std::exp(weave / 2));
-  const exact::Blur blur{heed > 0 ? level : 0, exact::irregularity(neighbours, spacing), weave > 0};
+  const exact::Blur blur{heed > 0 ? level : 0, exact::irregularity(points, neighbours, spacing),
+                         weave > 0};
   const auto survey = [&](Points at, const Neighbours& near, std::vector<double> spacing_there) {
     return exact::Survey(at, near, scores, options, length_exponent, blur, std::nullopt,
                          std::move(spacing_there), run)
@@ -566,10 +567,10 @@ BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, con
   const std::vector<Point> smooth = exact::take_off_noise(points, neighbours, heed, run);
   const Neighbours near = find_neighbours(smooth, neighbours.k, run);
   for (Index i = 0; i < near.size(); ++i) {
-    if (near.distances_of(i)[0] == 0)
+    if (distance_to(smooth, near, i, 0) == 0)
       return survey(points, neighbours, std::move(spacing));  // two were moved to one place
   }
-  BoundarySurvey found = survey(smooth, near, local_spacing(near, run));
+  BoundarySurvey found = survey(smooth, near, local_spacing(smooth, near, run));
   for (Loop& loop : found.loops) loop.length = loop_length(points, loop.points);
   return found;
 }

@@ -29,7 +29,7 @@ LocalSize LocalSizes::measure(Index vertex, std::vector<double>& radii) const {
   };
   take(vertex);
   for (const Index v : neighbours_.of(vertex, std::min(around, neighbours_.k))) take(v);
-  if (radii.empty()) return {neighbours_.distances_of(vertex)[0], 0};
+  if (radii.empty()) return {distance_to(complex_.points(), neighbours_, vertex, 0), 0};
   const auto [lower, typical, upper] = at_ranks(radii, ranks_among(radii.size()));
   return {typical, (upper - lower) / typical};
 }

@@ -54,7 +54,7 @@ class Look {
     for (Index s = 0; s < count; ++s) {
       const auto i = static_cast<Index>(static_cast<std::int64_t>(s) * n / count);
       for (const Index j : neighbours.of(i, k)) steps_.push_back(points[j] - points[i]);
-      in_space.push_back(neighbours.distances_of(i)[0]);
+      in_space.push_back(distance_to(points, neighbours, i, 0));
     }
     least_ = 0.5 * quantile(in_space, 0.5);
     per_sample_ = k;

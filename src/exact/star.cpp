@@ -256,15 +256,14 @@ class StarFinder {
 using OneWay = std::pair<Index, Index>;
 
 // Those of the marked points, by point and then by the other.
-std::vector<OneWay> find_one_way(const Neighbours& neighbours, const std::vector<std::uint8_t>& marked,
-                                 const Run& run) {
+std::vector<OneWay> find_one_way(Points points, const Neighbours& neighbours,
+                                 const std::vector<std::uint8_t>& marked, const Run& run) {
   auto found =
       parallel_gather<OneWay>(marked.size(), Stage::Survey, run, [&](Index i, std::vector<OneWay>& pairs) {
-        const auto ids = neighbours.of(i);
-        for (int j = 0; j < neighbours.k; ++j) {
-          if (!marked[ids[j]]) continue;
-          if (neighbours.distances_of(i)[j] > neighbours.distances_of(ids[j])[neighbours.k - 1])
-            pairs.push_back({ids[j], i});
+        for (const Index j : neighbours.of(i)) {
+          if (!marked[j]) continue;
+          if (distance(points[i], points[j]) > distance_to(points, neighbours, j, neighbours.k - 1))
+            pairs.push_back({j, i});
         }
       });
   std::sort(found.begin(), found.end());
@@ -319,7 +318,7 @@ Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<
 
   // Only where the own list ends too early can those who have the point in theirs cut its cell: they are
   // farther than all of the list.
-  const std::vector<OneWay> one_way = find_one_way(neighbours, is_open, run);
+  const std::vector<OneWay> one_way = find_one_way(points, neighbours, is_open, run);
   std::vector<Row> open_rows(rows.size());
   for_each_row([&](Row& row, Index first, Index) {
     Cell cell;

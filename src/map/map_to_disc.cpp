@@ -28,7 +28,7 @@ struct System {
   std::vector<Index> interior;  // point of each unknown
 };
 
-System assemble(const Neighbours& neighbours, int k, const std::vector<char>& on_loop,
+System assemble(Points points, const Neighbours& neighbours, int k, const std::vector<char>& on_loop,
                 const std::vector<UV>& uv) {
   System system;
   std::vector<Index> unknown(uv.size(), none);
@@ -46,12 +46,12 @@ System assemble(const Neighbours& neighbours, int k, const std::vector<char>& on
   matrix.columns.reserve(count * k);
   matrix.values.reserve(count * k);
   for (std::size_t row = 0; row < count; ++row) {
-    const auto list = neighbours.of(system.interior[row], k);
-    const auto distances = neighbours.distances_of(system.interior[row]);
+    const Index point = system.interior[row];
+    const auto list = neighbours.of(point, k);
     double sum = 0;
     UV on_rim;
     for (int j = 0; j < k; ++j) {
-      const double weight = 1 / distances[j];  // the reciprocal distance weights of section 5
+      const double weight = 1 / distance_to(points, neighbours, point, j);  // as in section 5
       sum += weight;
       if (on_loop[list[j]]) {
         on_rim = on_rim + weight * uv[list[j]];
@@ -169,7 +169,7 @@ DiscMap map_to_disc(Points points, const Neighbours& neighbours, std::span<const
     result.uv[loop[i]] = circle[i];
     on_loop[loop[i]] = 1;
   }
-  const System system = assemble(neighbours, k, on_loop, result.uv);
+  const System system = assemble(points, neighbours, k, on_loop, result.uv);
   result.summary.unknowns = system.interior.size();
   if (system.interior.empty()) return result;
   const Solution solution = solve(system, options.residual, run);

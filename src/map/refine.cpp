@@ -75,8 +75,9 @@ void hold_rims_apart(Points points, const std::vector<Loop>& loops, std::vector<
 }
 
 // The spacing of every point, copies included.
-std::vector<double> spacing_with(const Neighbours& neighbours, const std::vector<Index>& copies) {
-  std::vector<double> spacing = local_spacing(neighbours);
+std::vector<double> spacing_with(Points points, const Neighbours& neighbours,
+                                 const std::vector<Index>& copies) {
+  std::vector<double> spacing = local_spacing(points, neighbours);
   for (const Index v : copies) spacing.push_back(spacing[v]);
   return spacing;
 }
@@ -95,7 +96,7 @@ class Refiner {
         copies_(outline.original),
         options_(options),
         run_(run),
-        spacing_(spacing_with(neighbours, outline.original)),
+        spacing_(spacing_with(points, neighbours, outline.original)),
         uv_(points.size() + outline.loops.size() - 1) {
     place_on_circle(points, loops_.front().points, {0, 0}, 1, 0, 1, uv_);
   }

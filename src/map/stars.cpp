@@ -82,17 +82,17 @@ class StarFinder {
   void cell(Index i, Point normal, VoronoiCell& cell) const {
     const Frame frame = make_frame(normal);
     const std::span<const Index> ids = neighbours_.of(i);
-    const std::span<const double> distances = neighbours_.distances_of(i);
-    cell.start(distances.back());
-    for (std::size_t m = 0; m < ids.size(); ++m) {
-      if (cell.settled(distances[m])) break;
-      if (!label_.empty() && label_[ids[m]] != label_[i]) continue;
-      const Point d = points_[ids[m]] - points_[i];
+    cell.start(distance(points_[i], points_[ids.back()]));
+    for (const Index id : ids) {
+      const Point d = points_[id] - points_[i];
+      const double far = norm(d);
+      if (cell.settled(far)) break;
+      if (!label_.empty() && label_[id] != label_[i]) continue;
       const double u = dot(d, frame.u), v = dot(d, frame.v);
       const double flat = std::sqrt(u * u + v * v);
-      if (flat < options_.steepest * distances[m]) continue;
-      const double stretch = distances[m] / flat;
-      cell.clip(stretch * u, stretch * v, ids[m]);
+      if (flat < options_.steepest * far) continue;
+      const double stretch = far / flat;
+      cell.clip(stretch * u, stretch * v, id);
     }
   }
 

@@ -197,10 +197,7 @@ bool LeafSearch::before(const Found& a, const Found& b) const {
 
 void LeafSearch::write(std::size_t place, Neighbours& result) const {
   const std::size_t slot = static_cast<std::size_t>(tree_.id[place]) * k_;
-  for (std::size_t j = 0; j < k_; ++j) {
-    result.ids[slot + j] = tree_.id[found_[j].place];
-    result.distance[slot + j] = std::sqrt(found_[j].squared);
-  }
+  for (std::size_t j = 0; j < k_; ++j) result.ids[slot + j] = tree_.id[found_[j].place];
 }
 
 }  // namespace rimline

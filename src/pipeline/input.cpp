@@ -55,7 +55,7 @@ void prepare(Work& work) {
   if (leave_out_stray(arrangement, work.neighbours, work.run)) {
     work.neighbours = find_neighbours(arrangement.points, k, work.run);
   }
-  work.spacing = local_spacing(work.neighbours, work.run);
+  work.spacing = local_spacing(arrangement.points, work.neighbours, work.run);
   work.report.points = {work.input.size(), arrangement.points.size(), arrangement.not_finite.size(),
                         arrangement.duplicates.size(), arrangement.stray.size()};
   work.report.spacing = summarize_spacing(work.spacing);

@@ -25,8 +25,8 @@ std::vector<double> local_nearest_distance(Points points, const Run& run) {
   const Neighbours neighbours = find_neighbours(points, 8, run);
   std::vector<double> mean(points.size());
   for (Index i = 0; i < neighbours.size(); ++i) {
-    double sum = neighbours.distances_of(i)[0];
-    for (const Index j : neighbours.of(i)) sum += neighbours.distances_of(j)[0];
+    double sum = distance_to(points, neighbours, i, 0);
+    for (const Index j : neighbours.of(i)) sum += distance_to(points, neighbours, j, 0);
     mean[i] = sum / (1 + neighbours.k);
   }
   return mean;

@@ -23,7 +23,7 @@ Sample make(Shape shape, Sampling sampling, double noise) {
 
 double level_of(Points points) {
   const Neighbours neighbours = find_neighbours(points, 40, {});
-  return noise_level(points, neighbours, local_spacing(neighbours), {});
+  return noise_level(points, neighbours, local_spacing(points, neighbours), {});
 }
 
 double mean_square_z(Points points) {
@@ -38,7 +38,7 @@ TEST_CASE("the noise level of a flat disc is its deviation in z over the spacing
   for (const double noise : {0.1, 0.2, 0.5}) {
     const Sample disc = make(Shape::FlatDisc, Sampling::BlueNoise, noise);
     double spacing = 0;
-    for (const double h : local_spacing(find_neighbours(disc.points, 6, {})))
+    for (const double h : local_spacing(disc.points, find_neighbours(disc.points, 6, {})))
       spacing += h / static_cast<double>(disc.points.size());
     const double truth = std::sqrt(mean_square_z(disc.points)) / spacing;
     CHECK(level_of(disc.points) == doctest::Approx(truth).epsilon(0.15));
@@ -61,7 +61,7 @@ TEST_CASE("random points are told from those that keep apart, under noise as wel
   const auto irregularity_of = [](Shape shape, Sampling sampling, double noise) {
     const Sample drawn = make(shape, sampling, noise);
     const Neighbours neighbours = find_neighbours(drawn.points, 40, {});
-    return irregularity(neighbours, local_spacing(neighbours));
+    return irregularity(drawn.points, neighbours, local_spacing(drawn.points, neighbours));
   };
   for (const Shape shape : {Shape::FlatDisc, Shape::CurledStrip}) {
     CHECK(irregularity_of(shape, Sampling::Random, 0) == 1);

@@ -171,7 +171,7 @@ TEST_CASE("evenly sampled shapes give their exact loops") {
 // length within 5 % (10 % under noise): what the quality bench calls right.
 bool is_right(const Sample& truth, const Found& found, double noise) {
   if (found.loops.size() != truth.loops.size()) return false;
-  const auto spacing = local_spacing(find_neighbours(truth.points, 6, {}));
+  const auto spacing = local_spacing(truth.points, find_neighbours(truth.points, 6, {}));
   std::vector<Index> of_truth, of_found;
   double length = 0, true_length = 0;
   for (const Loop& loop : truth.loops) {

@@ -30,7 +30,7 @@ std::vector<Point> random_sheet(int count) {
 }
 
 Complex surface_of(Points points, const Neighbours& neighbours, const std::vector<Frame>& frames) {
-  const auto spacing = local_spacing(neighbours);
+  const auto spacing = local_spacing(points, neighbours);
   return propose_surface(points, frames, find_stars(points, neighbours, spacing, frames, {}), spacing, 3, {});
 }
 

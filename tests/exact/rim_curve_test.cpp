@@ -28,7 +28,7 @@ Sample disc(Sampling sampling, double noise) {
 Redrawn redraw_true(const Sample& sample, const Blur& blur) {
   const Neighbours neighbours = find_neighbours(sample.points, 40, {});
   const std::vector<Index>& rim = sample.loops[0].points;
-  return redraw(sample.points, neighbours, local_spacing(neighbours), rim,
+  return redraw(sample.points, neighbours, local_spacing(sample.points, neighbours), rim,
                 std::vector<Point>(rim.size(), Point{0, 0, 1}), blur);
 }
 
@@ -94,7 +94,7 @@ TEST_CASE(
   std::vector<Point> normals;
   for (const Index v : rim) normals.push_back({points[v].x / radius, points[v].y / radius, 0});
   const Neighbours neighbours = find_neighbours(points, 40, {});
-  const Redrawn drawn = redraw(points, neighbours, local_spacing(neighbours), rim, normals, {.noise = 0.25});
+  const Redrawn drawn = redraw(points, neighbours, local_spacing(points, neighbours), rim, normals, {.noise = 0.25});
   const std::set<Index> on(drawn.loop.begin(), drawn.loop.end());
   CHECK(on == std::set<Index>(rim.begin(), rim.end()));
 }
@@ -115,7 +115,7 @@ TEST_CASE(
 TEST_CASE("a rim of a few points is left alone") {
   const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const Neighbours neighbours = find_neighbours(points, 3, {});
-  CHECK(redraw(points, neighbours, local_spacing(neighbours), {0, 1, 2, 3},
+  CHECK(redraw(points, neighbours, local_spacing(points, neighbours), {0, 1, 2, 3},
                std::vector<Point>(4, Point{0, 0, 1}), {.noise = 0.3})
             .loop.empty());
 }

@@ -32,7 +32,7 @@ struct Holed {
       }
     }
     neighbours = find_neighbours(points, 40, {});
-    spacing = local_spacing(neighbours);
+    spacing = local_spacing(points, neighbours);
     frames = fit_frames(points, neighbours, {});
   }
 };

@@ -69,7 +69,7 @@ std::vector<Index> turned(std::vector<Index> star) {
 TEST_CASE("stars are those of cells cut by all neighbours in both directions, for any number of threads") {
   const auto points = step_of_density(6000);
   const Neighbours neighbours = find_neighbours(points, 12, {});
-  const auto spacing = local_spacing(neighbours);
+  const auto spacing = local_spacing(points, neighbours);
   const std::vector<Frame> frames(points.size(), Frame{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0});
   Run run;
   run.threads = 1;
@@ -98,7 +98,7 @@ TEST_CASE("stars are those of cells cut by all neighbours in both directions, fo
 TEST_CASE("triangles taken all at once are the same complex as one after another") {
   const auto points = step_of_density(4000);
   const Neighbours neighbours = find_neighbours(points, 20, {});
-  const auto spacing = local_spacing(neighbours);
+  const auto spacing = local_spacing(points, neighbours);
   const std::vector<Frame> frames = fit_frames(points, neighbours, {});
   const Stars stars = find_stars(points, neighbours, spacing, frames, {});
   const Complex all = propose_surface(points, frames, stars, spacing, 3, {});

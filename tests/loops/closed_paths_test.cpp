@@ -60,7 +60,6 @@ Neighbours random_graph(int points, int k, Random& random) {
     random.shuffle(others);
     graph.ids.insert(graph.ids.end(), others.begin(), others.begin() + k);
   }
-  graph.distance.assign(graph.ids.size(), 1);
   return graph;
 }
 
@@ -95,7 +94,6 @@ Neighbours ring(int points) {
     graph.ids.push_back((i + 1) % points);
     graph.ids.push_back((i + points - 1) % points);
   }
-  graph.distance.assign(graph.ids.size(), 1);
   return graph;
 }
 

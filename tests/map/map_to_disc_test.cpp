@@ -69,7 +69,6 @@ TEST_CASE("a point that only others point to is reachable by its own list") {
   Neighbours chain;  // 0 <- 1 <- 2, and 0's only neighbour is 1
   chain.k = 1;
   chain.ids = {1, 0, 1};
-  chain.distance = {1, 1, 1};
   CHECK(unreachable_points(chain, 1, std::vector<Index>{0}).empty());
   CHECK(unreachable_points(chain, 1, std::vector<Index>{2}) == std::vector<Index>{0, 1});
 }

@@ -329,7 +329,7 @@ TEST_CASE("the arcs of a flat grid with a hole close into its outline and the ho
   Run run;
   run.threads = 1;
   const auto neighbours = find_neighbours(kept, 16, run);
-  const auto spacing = local_spacing(neighbours);
+  const auto spacing = local_spacing(kept, neighbours);
   const auto frames = exact::fit_frames(kept, neighbours, run);
   const auto stars = exact::find_stars(kept, neighbours, spacing, frames, run);
   const LoopIds loops = closed_arcs(mutual_edges(kept, stars, std::vector<double>(kept.size(), 0.55)));
