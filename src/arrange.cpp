@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rimline/arrange.h"
 
+#include <oneapi/tbb/parallel_sort.h>
+
 #include <algorithm>
-#include <array>
+#include <atomic>
+#include <bit>
 #include <limits>
 #include <numeric>
 #include <tuple>
 
+#include "first_touch.h"
 #include "parallel.h"
+#include "rimline/unfilled.h"
 #include "union_find.h"
 
 namespace rimline {
@@ -52,39 +57,59 @@ struct Place {
   Index id;
 };
 
-// Sorts by code, in passes over groups of bits from the least to the most significant. Passes in which all
-// have the same bits are left out.
-void sort_by_code(std::vector<Place>& places) {
-  constexpr int bits = 11, passes = 6;  // 63 bits of the code, and counters that fit a first-level cache
-  constexpr std::size_t mask = (1 << bits) - 1;
-  std::vector<std::array<Index, mask + 1>> count(passes);
-  for (const Place& place : places) {
-    for (int pass = 0; pass < passes; ++pass) ++count[pass][place.code >> (pass * bits) & mask];
-  }
-  std::vector<Place> sorted(places.size());
-  for (int pass = 0; pass < passes; ++pass) {
-    const int shift = pass * bits;
-    std::array<Index, mask + 1>& start = count[pass];
-    if (start[places[0].code >> shift & mask] == static_cast<Index>(places.size())) continue;
-    std::exclusive_scan(start.begin(), start.end(), start.begin(), Index{0});
-    for (const Place& place : places) sorted[start[place.code >> shift & mask]++] = place;
-    places.swap(sorted);
-  }
+// Sorts by code, then by coordinates, then by id: into cells by the highest bits that differ first, then all
+// cells at once.
+void sort_along_curve(std::vector<Place>& places, Points points, const Run& run) {
+  constexpr int bits = 11;  // counters that fit a first-level cache
+  std::uint64_t differing = 0;
+  for (const Place& place : places) differing |= place.code ^ places[0].code;
+  const int shift = std::max(0, static_cast<int>(std::bit_width(differing)) - bits);
+  const auto cell_of = [&](const Place& p) { return (p.code >> shift) & ((1U << bits) - 1); };
+  std::vector<std::size_t> next((1U << bits) + 1, 0);
+  for (const Place& place : places) ++next[cell_of(place) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  const std::vector<std::size_t> start = next;
+  UnfilledVector<Place> sorted(places.size());
+  for (const Place& place : places) sorted[next[cell_of(place)]++] = place;
+  const auto before = [&](const Place& a, const Place& b) {
+    if (a.code != b.code) return a.code < b.code;
+    const Point &p = points[a.id], &q = points[b.id];
+    return std::tie(p.x, p.y, p.z, a.id) < std::tie(q.x, q.y, q.z, b.id);
+  };
+  parallel_tasks(start.size() - 1, Stage::Arrange, run, [&](std::size_t c) {
+    const auto first = sorted.begin() + start[c], last = sorted.begin() + start[c + 1];
+    tbb::parallel_sort(first, last, before);  // one cell may hold nearly all
+    std::copy(first, last, places.begin() + start[c]);
+  });
+  run.check_cancel();
 }
 
-// Sorts the points of each cell by their coordinates, then by id.
-void sort_within_cells(std::vector<Place>& places, Points points) {
-  for (auto first = places.begin(); first != places.end();) {
-    auto last = first + 1;
-    while (last != places.end() && last->code == first->code) ++last;
-    if (last - first > 1) {
-      std::sort(first, last, [&](const Place& a, const Place& b) {
-        const Point &p = points[a.id], &q = points[b.id];
-        return std::tie(p.x, p.y, p.z, a.id) < std::tie(q.x, q.y, q.z, b.id);
-      });
+// Reads the points in the order of their places; of those that coincide only the first stays.
+void take_distinct(const std::vector<Place>& places, Points input, Arrangement& result, const Run& run) {
+  resize_together(result.points, places.size(), run);
+  resize_together(result.ids, places.size(), run);
+  std::atomic<bool> all_distinct = true;
+  const auto repeats = [&](std::size_t i) {
+    return i > 0 && places[i].code == places[i - 1].code && input[places[i].id] == input[places[i - 1].id];
+  };
+  parallel_for_each(places.size(), Stage::Arrange, run, [&](Index i) {
+    result.points[i] = input[places[i].id] - result.origin;
+    result.ids[i] = places[i].id;
+    if (repeats(i)) all_distinct = false;
+  });
+  if (all_distinct) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (repeats(i)) {
+      result.duplicates.push_back(places[i].id);
+    } else {
+      result.points[kept] = result.points[i];
+      result.ids[kept++] = result.ids[i];
     }
-    first = last;
   }
+  result.points.resize(kept);
+  result.ids.resize(kept);
+  std::sort(result.duplicates.begin(), result.duplicates.end());
 }
 
 bool are_mutual(const Neighbours& neighbours, Index a, Index b) {
@@ -118,22 +143,8 @@ Arrangement arrange(Points input, const Run& run) {
   const double scale = box.extent() > 0 ? cells / box.extent() : 0;
   parallel_for_each(places.size(), Stage::Arrange, run,
                     [&](Index i) { places[i].code = morton_code(input[places[i].id], box.low, scale); });
-  sort_by_code(places);
-  run.check_cancel();
-  sort_within_cells(places, input);
-
-  result.points.reserve(places.size());
-  result.ids.reserve(places.size());
-  for (const Place& place : places) {
-    const Point point = input[place.id];
-    if (!result.ids.empty() && point == input[result.ids.back()]) {
-      result.duplicates.push_back(place.id);
-    } else {
-      result.points.push_back(point - result.origin);
-      result.ids.push_back(place.id);
-    }
-  }
-  std::sort(result.duplicates.begin(), result.duplicates.end());
+  sort_along_curve(places, input, run);
+  take_distinct(places, input, result, run);
   return result;
 }
 
@@ -175,9 +186,13 @@ bool leave_out_stray(Arrangement& arrangement, const Neighbours& neighbours, con
       if (groups.find(i) != groups.find(j) && are_mutual(neighbours, i, j)) groups.join(i, j);
     }
   }
+  bool all_large = true;
   for (Index i = 0; i < count; ++i) {
-    if (groups.size_of(i) < least_group) join_mutual(i, neighbours.k);
+    if (groups.size_of(i) >= least_group) continue;
+    all_large = false;
+    join_mutual(i, neighbours.k);
   }
+  if (all_large) return false;
   std::size_t kept = 0;
   for (Index i = 0; i < count; ++i) {
     if (groups.size_of(i) < least_group && count >= least_group) {

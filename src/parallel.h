@@ -27,7 +27,7 @@ inline int thread_count(const Run& run) {
 template <class Body>
 void parallel_slices(std::size_t count, Stage stage, const Run& run, const Body& body,
                      std::size_t grain = 1024) {
-  const std::size_t batch = 64 * grain;  // items between two looks at progress and cancel
+  const std::size_t batch = 256 * grain;  // items between two looks at progress and cancel
   tbb::task_arena arena(thread_count(run));
   for (std::size_t first = 0; first < count; first += batch) {
     run.progress(stage, first, count);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "first_touch.h"
 #include "parallel.h"
 
 namespace rimline::exact {
@@ -21,12 +22,14 @@ double angle_at(Point a, Point b, Point c) {
   return std::atan2(norm(cross(to_a, to_c)), dot(to_a, to_c));
 }
 
-Complex::AtVertices::AtVertices(const Stars& stars) : stars_(stars), places_(stars.size()) {
-  for (std::size_t v = 0; v < stars.size(); ++v) {
+Complex::AtVertices::AtVertices(const Stars& stars, const Run& run) : stars_(stars) {
+  resize_together(places_, stars.size(), run);
+  resize_together(ids_, stars.start(stars.size()), run);
+  parallel_for_each(stars.size(), Stage::Survey, run, [&](Index v) {
     const auto room = static_cast<std::uint32_t>(stars[v].size());
     places_[v] = {stars.start(v), room, room};
-  }
-  ids_.resize(stars.start(stars.size()), none);
+    std::fill_n(ids_.begin() + static_cast<std::ptrdiff_t>(stars.start(v)), room, none);
+  });
 }
 
 void Complex::start_with(std::vector<Triangle> triangles, std::vector<double> radii, AtVertices at,
@@ -35,7 +38,8 @@ void Complex::start_with(std::vector<Triangle> triangles, std::vector<double> ra
   radii_ = std::move(radii);
   stars_ = std::move(at.places_);
   at_vertex_ = std::move(at.ids_);
-  beside_.resize(triangles_.size(), {none, none, none});
+  resize_together(beside_, triangles_.size(), run);
+  parallel_for_each(beside_.size(), Stage::Survey, run, [&](Index t) { beside_[t].fill(none); });
   parallel_for_each(stars_.size(), Stage::Survey, run, [&](Index v) {
     link_at_vertex(v, at.stars_[v]);
     gather_at_vertex(v);
@@ -93,27 +97,34 @@ void Complex::add(const Triangle& triangle) {
   radii_.push_back(circumradius(points_[triangle[0]], points_[triangle[1]], points_[triangle[2]]));
 }
 
-void Complex::keep_only(const std::vector<std::uint8_t>& kept) {
-  std::vector<Index> id(size(), none);  // of the triangles that stay
+void Complex::keep_only(const std::vector<std::uint8_t>& kept, const Run& run) {
+  std::vector<Index> id;  // of the triangles that stay
+  resize_together(id, triangles_.size(), run);
   Index count = 0;
-  for (Index t = 0; t < size(); ++t) {
-    if (kept[t]) id[t] = count++;
-  }
+  for (Index t = 0; t < size(); ++t) id[t] = kept[t] ? count++ : none;
   if (count == size()) return;
-  for (Index t = 0; t < size(); ++t) {
-    if (id[t] == none) continue;
-    triangles_[id[t]] = triangles_[t];
-    radii_[id[t]] = radii_[t];
-    for (int i = 0; i < 3; ++i) beside_[id[t]][i] = beside_[t][i] == none ? none : id[beside_[t][i]];
-  }
-  triangles_.resize(count);
-  beside_.resize(count);
-  radii_.resize(count);
-  for (Place& place : stars_) {
-    const auto first = at_vertex_.begin() + place.first;
-    const auto last = std::transform(first, first + place.count, first, [&](Index t) { return id[t]; });
+  const auto renumber = [&](Index t) { return t == none ? none : id[t]; };
+  parallel_for_each(triangles_.size(), Stage::Loops, run, [&](Index t) {
+    for (Index& other : beside_[t]) other = renumber(other);
+  });
+  parallel_for_each(stars_.size(), Stage::Loops, run, [&](Index v) {
+    Place& place = stars_[v];
+    const auto first = at_vertex_.begin() + static_cast<std::ptrdiff_t>(place.first);
+    const auto last = std::transform(first, first + place.count, first, renumber);
     place.count = static_cast<std::uint32_t>(std::remove(first, last, none) - first);
-  }
+  });
+  const auto move_up = [&](auto& items) {
+    for (std::size_t t = 0; t < items.size(); ++t) {
+      if (id[t] != none) items[id[t]] = items[t];
+    }
+    items.resize(count);
+  };
+  parallel_tasks(3, Stage::Loops, run, [&](std::size_t k) {
+    if (k == 0) move_up(triangles_);
+    if (k == 1) move_up(beside_);
+    if (k == 2) move_up(radii_);
+  });
+  run.check_cancel();
 }
 
 int Complex::edge(Index a, Index b, Index (&found)[2]) const {

@@ -49,7 +49,7 @@ class Complex {
   // The triangles at each vertex, one for each place of its star at most. The stars must outlive it.
   class AtVertices {
    public:
-    explicit AtVertices(const Stars& stars);
+    AtVertices(const Stars& stars, const Run& run);
     // Calls for different places may run at the same time.
     void put(Index vertex, std::uint32_t place, Index triangle) {
       ids_[places_[vertex].first + place] = triangle;
@@ -66,7 +66,7 @@ class Complex {
   void start_with(std::vector<Triangle> triangles, std::vector<double> radii, AtVertices at, const Run& run);
   void add(const Triangle& triangle);
   // Leaves out the triangles with a zero; the ids of the others move up.
-  void keep_only(const std::vector<std::uint8_t>& kept);
+  void keep_only(const std::vector<std::uint8_t>& kept, const Run& run = {});
   // Whether it can be added: no edge gets a third triangle, no fan crosses another or folds back on itself.
   bool can_add(const Triangle& triangle) const;
 

@@ -167,7 +167,7 @@ class Survey {
     for (Index t = 0; t < complex_.size(); ++t) {
       if (!kept_[t]) mark(complex_.triangle(t));
     }
-    complex_.keep_only(kept_);
+    complex_.keep_only(kept_, run_);
     const Index kept = complex_.size();
     fill_notches(complex_, spacing_, largest_mended, run_);
     for (Index t = kept; t < complex_.size(); ++t) mark(complex_.triangle(t));

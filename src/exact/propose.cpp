@@ -8,6 +8,7 @@
 #include <queue>
 #include <tuple>
 
+#include "first_touch.h"
 #include "parallel.h"
 
 namespace rimline::exact {
@@ -103,9 +104,11 @@ std::vector<Row> read_stars(const Complex& complex, const Stars& stars, const st
 void take_agreed(Complex& complex, const Stars& stars, std::vector<Row>& rows, const Run& run) {
   std::vector<std::size_t> start{0};
   for (const Row& row : rows) start.push_back(start.back() + row.agreed.size());
-  std::vector<Triangle> triangles(start.back());
-  std::vector<double> radii(start.back());
-  Complex::AtVertices at(stars);
+  std::vector<Triangle> triangles;
+  std::vector<double> radii;
+  resize_together(triangles, start.back(), run);
+  resize_together(radii, start.back(), run);
+  Complex::AtVertices at(stars, run);
   parallel_tasks(rows.size(), Stage::Survey, run, [&](std::size_t r) {
     std::size_t id = start[r];
     for (const Agreed& x : rows[r].agreed) {
