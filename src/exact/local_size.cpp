@@ -43,6 +43,15 @@ void LocalSizes::find(const std::function<bool(Index)>& wanted, const Run& run) 
   });
 }
 
+void LocalSizes::find(std::span<const Index> vertices, const Run& run) {
+  parallel_slices(vertices.size(), Stage::Loops, run, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> radii;
+    for (const Index v : vertices.subspan(begin, end - begin)) {
+      if (known_[v].typical < 0) known_[v] = measure(v, radii);
+    }
+  });
+}
+
 void LocalSizes::find_bounds(const std::function<bool(Index)>& wanted, const Run& run) {
   const StarLevels levels(complex_, run);
   least_.resize(known_.size());
@@ -93,11 +102,11 @@ double LocalSizes::log_ratio(const Triangle& triangle) {
   return std::min(most, std::log(circumradius(p[triangle[0]], p[triangle[1]], p[triangle[2]]) / typical));
 }
 
-double LocalSizes::own(Index vertex) {
-  radii_.clear();
-  for (const Index t : complex_.star(vertex)) radii_.push_back(complex_.radius(t));
-  const auto middle = radii_.begin() + radii_.size() / 2;
-  std::nth_element(radii_.begin(), middle, radii_.end());
+double LocalSizes::own(Index vertex) const {
+  std::vector<double> radii;
+  for (const Index t : complex_.star(vertex)) radii.push_back(complex_.radius(t));
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
   return *middle;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "exact/complex.h"
@@ -20,7 +21,7 @@ struct LocalSize {
 
 // Spacing alone does not say which triangle is too large: a rim triangle of one spacing closes a true notch
 // on an even sample and is nothing unusual on a random one. Values are computed when first asked for, or for
-// many vertices at once by find(); they are the same.
+// many vertices at once by find(); they are the same. What was found may be asked for by many threads.
 class LocalSizes {
  public:
   LocalSizes(const Complex& complex, const Neighbours& neighbours)
@@ -29,6 +30,8 @@ class LocalSizes {
   const LocalSize& at(Index vertex);
   // Computes those of the vertices v for which wanted(v), and forgets none.
   void find(const std::function<bool(Index)>& wanted, const Run& run);
+  // The same for the given ones.
+  void find(std::span<const Index> vertices, const Run& run);
   // Brackets them, which costs a fraction, for may_exceed().
   void find_bounds(const std::function<bool(Index)>& wanted, const Run& run);
   // Whether the log_ratio of a triangle may be more than the margin, not negative, plus its spread, as far
@@ -37,7 +40,7 @@ class LocalSizes {
   // Forgets all that the triangles at the marked vertices had a part in: after these have changed.
   void forget(const std::vector<std::uint8_t>& changed, const Run& run);
   // Median circumradius of the triangles at the vertex alone.
-  double own(Index vertex);
+  double own(Index vertex) const;
   // Logarithm of a triangle's circumradius over the typical one around its corners, at most 3.
   double log_ratio(const Triangle& triangle);
   double spread(const Triangle& triangle);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact/propose.h"
 
+#include <oneapi/tbb/parallel_sort.h>
+#include <oneapi/tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -134,8 +137,11 @@ class Proposer {
     return circumradius(p[t[0]], p[t[1]], p[t[2]]) / h;
   }
 
-  void take_fitting(std::vector<Proposal> rest) {
-    std::sort(rest.begin(), rest.end(), [](const auto& x, const auto& y) { return x.rank() < y.rank(); });
+  void take_fitting(std::vector<Proposal> rest, const Run& run) {
+    tbb::task_arena(thread_count(run)).execute([&] {
+      tbb::parallel_sort(rest.begin(), rest.end(),
+                         [](const auto& x, const auto& y) { return x.rank() < y.rank(); });
+    });
     for (const Proposal& p : rest) {
       if (complex_.can_add(p.triangle)) complex_.add(p.triangle);
     }
@@ -198,7 +204,7 @@ Complex propose_surface(Points points, const std::vector<Frame>& frames, const S
   std::vector<Proposal> rest;
   for (const Row& row : rows) rest.insert(rest.end(), row.rest.begin(), row.rest.end());
   Proposer proposer(complex, spacing, largest);
-  proposer.take_fitting(std::move(rest));
+  proposer.take_fitting(std::move(rest), run);
   run.check_cancel();
   proposer.fill_notches(run);
   return complex;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "parallel.h"
 #include "rimline/triangulate.h"
@@ -27,17 +28,31 @@ double quantile(std::vector<double>& values, double share) {
   return *at;
 }
 
+// The sum of what add(i, sum) adds for each i, from parts of the same size for any number of threads.
+template <class Sum, class Add>
+Sum sum_over(std::size_t count, const Run& run, const Add& add) {
+  constexpr std::size_t in_part = 16384;
+  std::vector<Sum> parts((count + in_part - 1) / in_part, Sum::Zero());
+  parallel_tasks(parts.size(), Stage::Survey, run, [&](std::size_t k) {
+    Sum sum = Sum::Zero();  // parts side by side would share a line of the cache
+    for (std::size_t i = k * in_part; i < std::min(count, (k + 1) * in_part); ++i) add(i, sum);
+    parts[k] = sum;
+  });
+  run.check_cancel();
+  return std::accumulate(parts.begin(), parts.end(), Sum(Sum::Zero()));
+}
+
 // The direction in which the points extend least; none where they do not extend in it at all.
-std::optional<Point> thinnest(Points points) {
+std::optional<Point> thinnest(Points points, const Run& run) {
   constexpr double flat = 1e-12;  // of the variance in the middle direction
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Point& p : points) mean += Eigen::Vector3d(p.x, p.y, p.z);
-  mean /= static_cast<double>(points.size());
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  for (const Point& p : points) {
-    const Eigen::Vector3d d = Eigen::Vector3d(p.x, p.y, p.z) - mean;
-    sum += d * d.transpose();
-  }
+  const auto at = [&](std::size_t i) { return Eigen::Vector3d(points[i].x, points[i].y, points[i].z); };
+  const Eigen::Vector3d mean =
+      sum_over<Eigen::Vector3d>(points.size(), run, [&](std::size_t i, Eigen::Vector3d& s) { s += at(i); }) /
+      static_cast<double>(points.size());
+  const auto sum = sum_over<Eigen::Matrix3d>(points.size(), run, [&](std::size_t i, Eigen::Matrix3d& s) {
+    const Eigen::Vector3d d = at(i) - mean;
+    s += d * d.transpose();
+  });
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
   if (solver.eigenvalues()[0] <= flat * solver.eigenvalues()[1]) return std::nullopt;
   const Eigen::Vector3d least = solver.eigenvectors().col(0);
@@ -257,7 +272,7 @@ std::optional<Raster> find_raster(Points points, const Neighbours& neighbours, c
     if (triangles.empty()) return std::nullopt;
     return Raster{view, *step, std::move(triangles)};
   };
-  const auto front = thinnest(points);
+  const auto front = thinnest(points, run);
   if (!front) return std::nullopt;
   // A nearly flat lattice is one from many sides; only this one sees it in full.
   if (auto found = raster(*front)) return found;

@@ -303,20 +303,25 @@ class Places {
 
   const Station& station_of(const Place& place) const { return curve_.station(place.station); }
 
-  // From the places right behind the rim to their neighbours.
+  // From the places right behind the rim, along it, to their neighbours.
   std::vector<std::pair<double, Offset>> offsets_behind(const Neighbours& neighbours) const {
     constexpr double near = 0.6, far = 2.6;  // spacings
     constexpr int count = 16;
-    std::vector<std::pair<double, Offset>> offsets;
+    std::vector<const Place*> behind;
     for (const Place& place : found_) {
-      if (place.out > -near || place.out < -far) continue;
-      const Station& s = station_of(place);
-      for (const Index v : neighbours.of(place.point, std::min(count, neighbours.k))) {
-        const Point d = (1 / s.spacing) * (points_[v] - points_[place.point]);
-        if (std::abs(dot(d, s.normal)) < 1) offsets.push_back({place.t, {dot(d, s.along), dot(d, s.out)}});
+      if (place.out <= -near && place.out >= -far) behind.push_back(&place);
+    }
+    std::sort(behind.begin(), behind.end(), [](const Place* a, const Place* b) {
+      return std::tie(a->t, a->point) < std::tie(b->t, b->point);
+    });
+    std::vector<std::pair<double, Offset>> offsets;
+    for (const Place* place : behind) {
+      const Station& s = station_of(*place);
+      for (const Index v : neighbours.of(place->point, std::min(count, neighbours.k))) {
+        const Point d = (1 / s.spacing) * (points_[v] - points_[place->point]);
+        if (std::abs(dot(d, s.normal)) < 1) offsets.push_back({place->t, {dot(d, s.along), dot(d, s.out)}});
       }
     }
-    std::sort(offsets.begin(), offsets.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     return offsets;
   }
 

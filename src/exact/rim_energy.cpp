@@ -4,16 +4,36 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+
+#include "parallel.h"
 
 namespace rimline::exact {
 
-Corners::Corners(const Complex& complex, const std::vector<Index>& vertices) {
-  first_fan_.reserve(vertices.size() + 1);
+Corners::Corners(const Complex& complex, std::span<const Index> vertices, const Run& run) : first_fan_{0} {
+  constexpr std::size_t in_part = 1024;  // vertices
+  std::vector<std::optional<Corners>> parts((vertices.size() + in_part - 1) / in_part);
+  parallel_tasks(parts.size(), Stage::Loops, run, [&](std::size_t k) {
+    const std::size_t first = k * in_part;
+    parts[k] = Corners(complex, vertices.subspan(first, std::min(in_part, vertices.size() - first)));
+  });
+  run.check_cancel();
+  for (const auto& part : parts) append(*part);
+}
+
+Corners::Corners(const Complex& complex, std::span<const Index> vertices) : first_fan_{0} {
   for (const Index v : vertices) {
-    first_fan_.push_back(static_cast<std::uint32_t>(fans_.size()));
     add_vertex(complex, v);
+    first_fan_.push_back(static_cast<std::uint32_t>(fans_.size()));
   }
-  first_fan_.push_back(static_cast<std::uint32_t>(fans_.size()));
+}
+
+void Corners::append(const Corners& other) {
+  const auto fans = static_cast<std::uint32_t>(fans_.size());
+  const auto corners = static_cast<std::uint32_t>(corners_.size());
+  for (std::size_t v = 1; v < other.first_fan_.size(); ++v) first_fan_.push_back(fans + other.first_fan_[v]);
+  for (const Fan& fan : other.fans_) fans_.push_back({corners + fan.first, corners + fan.last, fan.closed});
+  corners_.insert(corners_.end(), other.corners_.begin(), other.corners_.end());
 }
 
 void Corners::add_vertex(const Complex& complex, Index vertex) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "exact/complex.h"
@@ -35,7 +36,7 @@ struct RimWeights {
 class Corners {
  public:
   // For the given vertices, which must hold each vertex of an ambiguous triangle once.
-  Corners(const Complex& complex, const std::vector<Index>& vertices);
+  Corners(const Complex& complex, std::span<const Index> vertices, const Run& run);
 
   // What the rim does at a vertex: sums over its fans.
   struct Turns {
@@ -56,6 +57,9 @@ class Corners {
     bool closed;
   };
 
+  Corners(const Complex& complex, std::span<const Index> vertices);
+
+  void append(const Corners& other);
   void add_vertex(const Complex& complex, Index vertex);
   void add_fan(const Complex& complex, Index vertex, Index t, Index from, bool closed,
                std::vector<Index>& left);

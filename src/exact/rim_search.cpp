@@ -116,6 +116,24 @@ std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
   return queue;
 }
 
+// The vertices of the triangles, ascending.
+std::vector<Index> vertices_of(const Complex& complex, const std::vector<Index>& triangles) {
+  std::vector<Index> vertices;
+  vertices.reserve(3 * triangles.size());
+  for (const Index t : triangles) {
+    for (const Index v : complex.triangle(t)) vertices.push_back(v);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+// The position of an id among ascending ones, or `certain` where it is not among them.
+std::uint32_t position(const std::vector<Index>& ids, Index id) {
+  const auto at = std::lower_bound(ids.begin(), ids.end(), id);
+  return at != ids.end() && *at == id ? static_cast<std::uint32_t>(at - ids.begin()) : certain;
+}
+
 Doubt collect(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
               const KnownRims& known, const RimSearchOptions& options, const Run& run) {
   const std::vector<double>& evenness = known.evenness;
@@ -123,52 +141,39 @@ Doubt collect(const Complex& complex, LocalSizes& sizes, const std::vector<std::
   const RimWeights& w = options.weights;
   doubt.triangles =
       known.kept.empty() ? doubtful_triangles(complex, sizes, barred, options.doubtful, run) : known.doubts;
-  for (const Index t : doubt.triangles) {
-    const double ratio = sizes.log_ratio(complex.triangle(t));
-    doubt.log_ratio.push_back(ratio);
-    double largest = 0;
-    for (const Index v : complex.triangle(t)) largest = std::max(largest, sizes.own(v));
-    const double own = std::clamp(std::log(complex.radius(t) / largest), -1.0, 3.0);
-    doubt.own.push_back(own);
-    doubt.spread.push_back(sizes.spread(complex.triangle(t)));
-    double even = 0;
-    for (const Index v : complex.triangle(t)) even += evenness.empty() ? 0 : evenness[v] / 3;
-    doubt.gain.push_back(w.open + w.size * ratio + w.own * own - w.even * even);
-    for (const Index v : complex.triangle(t)) doubt.vertices.push_back(v);
-  }
-  for (const Index t : doubt.triangles) {
+  doubt.vertices = vertices_of(complex, doubt.triangles);
+  sizes.find(doubt.vertices, run);
+  const std::size_t count = doubt.triangles.size();
+  for (std::vector<double>* values : {&doubt.log_ratio, &doubt.own, &doubt.spread, &doubt.gain})
+    values->resize(count);
+  doubt.beside.resize(count);
+  doubt.doubtful_beside.resize(count);
+  doubt.contrast.resize(count);
+  doubt.slots.resize(count);
+  parallel_for_each(count, Stage::Loops, run, [&](Index i) {
+    const Index t = doubt.triangles[i];
     const Triangle& x = complex.triangle(t);
-    std::array<Index, 3> beside;
-    std::array<std::uint32_t, 3> doubtful_beside{certain, certain, certain};
-    std::array<double, 3> contrast;
+    double largest = 0, even = 0;
+    for (const Index v : x) {
+      largest = std::max(largest, sizes.own(v));
+      even += evenness.empty() ? 0 : evenness[v] / 3;
+    }
+    doubt.log_ratio[i] = sizes.log_ratio(x);
+    doubt.own[i] = std::clamp(std::log(complex.radius(t) / largest), -1.0, 3.0);
+    doubt.spread[i] = sizes.spread(x);
+    doubt.gain[i] = w.open + w.size * doubt.log_ratio[i] + w.own * doubt.own[i] - w.even * even;
     for (int k = 0; k < 3; ++k) {
-      const Index a = x[k], b = x[(k + 1) % 3];
-      beside[k] = complex.across(t, k);
-      contrast[k] = 0;
-      if (beside[k] == none) continue;
-      const auto at = std::lower_bound(doubt.triangles.begin(), doubt.triangles.end(), beside[k]);
-      if (at != doubt.triangles.end() && *at == beside[k]) {
-        doubtful_beside[k] = static_cast<std::uint32_t>(at - doubt.triangles.begin());
-      }
-      const double own = std::max(sizes.own(complex.apex(beside[k], a, b)), complex.radius(beside[k]));
+      const Index a = x[k], b = x[(k + 1) % 3], beside = complex.across(t, k);
+      doubt.slots[i][k] = position(doubt.vertices, x[k]);
+      doubt.beside[i][k] = beside;
+      doubt.doubtful_beside[i][k] = beside == none ? certain : position(doubt.triangles, beside);
+      doubt.contrast[i][k] = 0;
+      if (beside == none) continue;
+      const double own = std::max(sizes.own(complex.apex(beside, a, b)), complex.radius(beside));
       const double c = std::log(complex.radius(t) / own);
-      contrast[k] = w.contrast * std::clamp(c - w.least_contrast, -1.0, 0.0);
+      doubt.contrast[i][k] = w.contrast * std::clamp(c - w.least_contrast, -1.0, 0.0);
     }
-    doubt.beside.push_back(beside);
-    doubt.doubtful_beside.push_back(doubtful_beside);
-    doubt.contrast.push_back(contrast);
-  }
-  std::sort(doubt.vertices.begin(), doubt.vertices.end());
-  doubt.vertices.erase(std::unique(doubt.vertices.begin(), doubt.vertices.end()), doubt.vertices.end());
-  for (const Index t : doubt.triangles) {
-    std::array<std::uint32_t, 3> slots;
-    for (int i = 0; i < 3; ++i) {
-      slots[i] = static_cast<std::uint32_t>(
-          std::lower_bound(doubt.vertices.begin(), doubt.vertices.end(), complex.triangle(t)[i]) -
-          doubt.vertices.begin());
-    }
-    doubt.slots.push_back(slots);
-  }
+  });
   return doubt;
 }
 
@@ -486,7 +491,7 @@ RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std:
   RimSearchResult result;
   result.kept.assign(complex.size(), 1);
   const Doubt doubt = collect(complex, sizes, barred, known, options, run);
-  const Corners corners(complex, doubt.vertices);
+  const Corners corners(complex, doubt.vertices, run);
   const std::vector<Group> groups = group(doubt);
   result.doubts = doubt.triangles;
   result.groups = groups.size();

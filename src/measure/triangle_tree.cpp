@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "first_touch.h"
 #include "parallel.h"
 
 namespace rimline {
@@ -28,10 +29,11 @@ Box box_of(Points points, const Triangle& t) {
 TriangleTree::TriangleTree(Points points, const std::vector<Triangle>& triangles, const Run& run) {
   if (triangles.empty()) return;
   const auto count = static_cast<Index>(triangles.size());
-  boxes_.resize(triangles.size());
-  order_.resize(triangles.size());
-  nodes_.resize(count_nodes(count));
-  std::vector<Item> items(triangles.size());
+  std::vector<Item> items;
+  resize_together(boxes_, triangles.size(), run);
+  resize_together(order_, triangles.size(), run);
+  resize_together(nodes_, static_cast<std::size_t>(count_nodes(count)), run);
+  resize_together(items, triangles.size(), run);
   tbb::task_arena arena(thread_count(run));
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<Index>(0, count, 4096), [&](const auto& range) {

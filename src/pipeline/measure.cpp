@@ -12,6 +12,7 @@ namespace {
 std::vector<double> spacing_of_vertices(const Work& work) {
   std::vector<double> spacing = work.spacing;
   const std::size_t points = spacing.size();
+  if (points == work.vertices.size()) return spacing;
   std::vector<double> sum(work.vertices.size() - points, 0);
   std::vector<int> count(sum.size(), 0);
   for (const Triangle& t : work.triangles) {

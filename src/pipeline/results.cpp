@@ -24,15 +24,17 @@ void put_points(const Work& work, BoundaryResult& result) {
     result.boundary_probability.assign(n, static_cast<float>(nan));
     result.label.assign(n, PointLabel::Stray);
   }
-  for (std::size_t i = 0; i < work.arrangement.ids.size(); ++i) {
+  Run silent = work.run;  // the stages are over
+  silent.on_progress = {};
+  parallel_for_each(work.arrangement.ids.size(), Stage::Write, silent, [&](Index i) {
     const Index id = work.arrangement.ids[i];
     result.candidate[id] = work.scores.candidate[i];
     result.p_value[id] = p_value(work.scores.log_score[i]);
     result.score[id] = score(work.scores.log_score[i], work.options.loops.score_form);
-    if (work.is_paper()) continue;
+    if (work.is_paper()) return;
     result.boundary_probability[id] = work.probability[i];
     result.label[id] = work.label[i];
-  }
+  });
 }
 
 // From one value per vertex to one per point of the input, then per added one.
