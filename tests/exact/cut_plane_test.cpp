@@ -27,7 +27,7 @@ struct Tube {
       }
     }
     neighbours = find_neighbours(points, 20, {});
-    spacing = local_spacing(neighbours);
+    spacing = local_spacing(points, neighbours);
     frames = fit_frames(points, neighbours, {});
   }
 

@@ -37,7 +37,7 @@ struct Sheet {
   explicit Sheet(double off)
       : points(disc(off)),
         neighbours(find_neighbours(points, 40, {})),
-        spacing(local_spacing(neighbours)),
+        spacing(local_spacing(points, neighbours)),
         frames(fit_frames(points, neighbours, {})),
         complex(propose_surface(points, frames, find_stars(points, neighbours, spacing, frames, {}), spacing,
                                 3, {})),

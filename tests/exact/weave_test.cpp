@@ -61,7 +61,8 @@ TEST_CASE("scan lines are told from all other samples, under noise as well") {
         options.noise = noise;
         const Sample drawn = sample(options, {});
         const Neighbours neighbours = find_neighbours(drawn.points, 40, {});
-        const double ratio = weave_ratio(drawn.points, neighbours, local_spacing(neighbours), {});
+        const auto spacing = local_spacing(drawn.points, neighbours);
+        const double ratio = weave_ratio(drawn.points, neighbours, spacing, {});
         CHECK((ratio > 0) == (sampling == Sampling::ScanLines));
       }
     }
