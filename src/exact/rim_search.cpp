@@ -359,8 +359,9 @@ class GroupSearch {
     }
   }
 
-  // Inside the surface a hole must be worth more than chance brings about somewhere on a large surface; the
-  // others are closed. Returns what that changes the fitness by.
+  // Inside the surface a hole must be worth more than chance brings about somewhere on a large surface, and
+  // its empty disc be twice as large as is usual; the others are closed. Returns what that changes the fitness
+  // by.
   double close_doubtful_holes() {
     double change = 0;
     std::vector<std::uint8_t> seen(bits_.size(), 0);
@@ -369,7 +370,7 @@ class GroupSearch {
       const Void hole = void_at(i, seen);
       if (hole.outside) continue;
       const double gain = flip(hole.bits);
-      if (-gain >= least_gain(hole)) {
+      if (hole.largest >= std::log(2.0) && -gain >= least_gain(hole)) {
         flip(hole.bits);
       } else {
         change += gain;

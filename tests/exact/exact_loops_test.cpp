@@ -339,6 +339,13 @@ TEST_CASE("a small hole is found under noise of half a spacing") {
   CHECK(found >= 5);
 }
 
+TEST_CASE("the search opens no hole whose empty disc is less than twice what is usual") {
+  const Sample cap = make(Shape::HemisphereCap, Sampling::SmoothDensity, 1000, 0.5, 13975591295652865286U);
+  CHECK(find_loops(cap.points).loops.size() == 1);
+  const Sample pipe = make(Shape::Pipe, Sampling::SmoothDensity, 1000, 0.5, 15331995047527341591U);
+  CHECK(find_loops(pipe.points).loops.size() == 2);
+}
+
 TEST_CASE("the end of a pipe is found under noise where a dozen points are around it") {
   int found = 0;
   for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
