@@ -8,7 +8,7 @@ import plot
 LIMITS = {
     "read": (40, "the file once, the points once"),
     "arrange": (24 + 24 + 6 * 2 * 16, "six passes of a radix sort over 16-byte places; points in and out"),
-    "neighbours": (24 + 40 * 12 * 2, "40 ids and distances written, by way of the cache; about 150 distances are "
+    "neighbours": (24 + 40 * 4 * 2, "40 ids written, by way of the cache; about 150 distances are "
                                      "compared a point, so comparisons bound it: 150 x 8 operations"),
     "boundary": (40 * 4 + 24 + 16, "40 ids read, 16 bytes written; 40 neighbours x 20 operations"),
     "survey": (40 * 4 + 2 * (80 + 24 + 6 * 4 + 2 * 44), "lists, frames, stars, two triangles a point, written and read "
