@@ -58,7 +58,7 @@ double weave_ratio(Points points, const Neighbours& neighbours, const std::vecto
                    const Run& run) {
   constexpr std::size_t most_asked = 256;
   constexpr int count = 16;
-  constexpr double least = 0.85;
+  constexpr double least = 1;
   const std::size_t stride = 1 + (points.size() - 1) / most_asked;
   std::vector<double> ratio((points.size() - 1) / stride + 1);
   parallel_tasks(ratio.size(), Stage::Survey, run, [&](std::size_t i) {

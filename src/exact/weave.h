@@ -28,7 +28,8 @@ Weave find_weave(const std::vector<Offset>& offsets);
 double log_ratio(const Weave& weave);
 
 // The mean of that over the surface, from the neighbourhoods of about 256 points; 0 where it is no more than
-// chance brings about. Random points have 0.7 at most, scan lines 1.1 or more, noise of half a step and all.
+// chance or the strips of a mesh bring about. Random points have 0.7 at most, a scanned man's mesh 0.87, scan
+// lines 1.1 or more, noise of half a step and all.
 double weave_ratio(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                    const Run& run);
 
