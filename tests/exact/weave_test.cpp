@@ -68,3 +68,16 @@ TEST_CASE("scan lines are told from all other samples, under noise as well") {
     }
   }
 }
+
+TEST_CASE("rows two steps apart, as in the strips of a mesh, are no scan lines; rows four steps apart are") {
+  const auto ratio_of = [](double apart) {
+    std::vector<Point> points;
+    for (int row = 0; row < 40; ++row) {
+      for (int i = 0; i < 40; ++i) points.push_back({i + 0.5 * (row & 1), apart * row, 0});
+    }
+    const Neighbours neighbours = find_neighbours(points, 40, {});
+    return weave_ratio(points, neighbours, local_spacing(points, neighbours), {});
+  };
+  CHECK(ratio_of(2.2) == 0);
+  CHECK(ratio_of(4) > 1);
+}
