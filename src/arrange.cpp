@@ -59,7 +59,7 @@ struct Place {
 
 // Sorts by code, then by coordinates, then by id: into cells by the highest bits that differ first, then all
 // cells at once.
-void sort_along_curve(std::vector<Place>& places, Points points, const Run& run) {
+void sort_along_curve(UnfilledVector<Place>& places, Points points, const Run& run) {
   constexpr int bits = 11;  // counters that fit a first-level cache
   std::uint64_t differing = 0;
   for (const Place& place : places) differing |= place.code ^ places[0].code;
@@ -77,15 +77,31 @@ void sort_along_curve(std::vector<Place>& places, Points points, const Run& run)
     return std::tie(p.x, p.y, p.z, a.id) < std::tie(q.x, q.y, q.z, b.id);
   };
   parallel_tasks(start.size() - 1, Stage::Arrange, run, [&](std::size_t c) {
-    const auto first = sorted.begin() + start[c], last = sorted.begin() + start[c + 1];
-    tbb::parallel_sort(first, last, before);  // one cell may hold nearly all
-    std::copy(first, last, places.begin() + start[c]);
+    tbb::parallel_sort(sorted.begin() + start[c], sorted.begin() + start[c + 1], before);  // may be nearly all
   });
   run.check_cancel();
+  places.swap(sorted);
+}
+
+// Moves the ids of the points i for which is_out(i), asked in order, to `left_out`, which ascends then.
+template <class IsOut>
+void leave_out(Arrangement& arrangement, std::vector<Index>& left_out, const IsOut& is_out) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < arrangement.points.size(); ++i) {
+    if (is_out(i)) {
+      left_out.push_back(arrangement.ids[i]);
+    } else {
+      arrangement.points[kept] = arrangement.points[i];
+      arrangement.ids[kept++] = arrangement.ids[i];
+    }
+  }
+  arrangement.points.resize(kept);
+  arrangement.ids.resize(kept);
+  std::sort(left_out.begin(), left_out.end());
 }
 
 // Reads the points in the order of their places; of those that coincide only the first stays.
-void take_distinct(const std::vector<Place>& places, Points input, Arrangement& result, const Run& run) {
+void take_distinct(const UnfilledVector<Place>& places, Points input, Arrangement& result, const Run& run) {
   resize_together(result.points, places.size(), run);
   resize_together(result.ids, places.size(), run);
   std::atomic<bool> all_distinct = true;
@@ -97,19 +113,7 @@ void take_distinct(const std::vector<Place>& places, Points input, Arrangement& 
     result.ids[i] = places[i].id;
     if (repeats(i)) all_distinct = false;
   });
-  if (all_distinct) return;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (repeats(i)) {
-      result.duplicates.push_back(places[i].id);
-    } else {
-      result.points[kept] = result.points[i];
-      result.ids[kept++] = result.ids[i];
-    }
-  }
-  result.points.resize(kept);
-  result.ids.resize(kept);
-  std::sort(result.duplicates.begin(), result.duplicates.end());
+  if (!all_distinct) leave_out(result, result.duplicates, repeats);
 }
 
 bool are_mutual(const Neighbours& neighbours, Index a, Index b) {
@@ -126,7 +130,7 @@ Arrangement arrange(Points input, const Run& run) {
   }
   Arrangement result;
   Box box;
-  std::vector<Place> places;
+  UnfilledVector<Place> places;
   places.reserve(input.size());
   for (Index i = 0; i < static_cast<Index>(input.size()); ++i) {
     if (is_finite(input[i])) {
@@ -192,20 +196,10 @@ bool leave_out_stray(Arrangement& arrangement, const Neighbours& neighbours, con
     all_large = false;
     join_mutual(i, neighbours.k);
   }
-  if (all_large) return false;
-  std::size_t kept = 0;
-  for (Index i = 0; i < count; ++i) {
-    if (groups.size_of(i) < least_group && count >= least_group) {
-      arrangement.stray.push_back(arrangement.ids[i]);
-    } else {
-      arrangement.points[kept] = arrangement.points[i];
-      arrangement.ids[kept++] = arrangement.ids[i];
-    }
-  }
-  arrangement.points.resize(kept);
-  arrangement.ids.resize(kept);
-  std::sort(arrangement.stray.begin(), arrangement.stray.end());
-  return kept < static_cast<std::size_t>(count);
+  if (all_large || count < least_group) return false;
+  leave_out(arrangement, arrangement.stray,
+            [&](std::size_t i) { return groups.size_of(static_cast<Index>(i)) < least_group; });
+  return arrangement.points.size() < points;
 }
 
 }  // namespace rimline

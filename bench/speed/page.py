@@ -7,7 +7,7 @@ import plot
 # For each stage what it must do at least, by any method: bytes that pass the memory a point, and the reason.
 LIMITS = {
     "read": (40, "the file once, the points once"),
-    "arrange": (24 + 24 + 6 * 2 * 16, "six passes of a radix sort over 16-byte places; points in and out"),
+    "arrange": (3 * 24 + 6 * 16, "points read twice and written; 16-byte places written, put into cells and sorted there"),
     "neighbours": (24 + 40 * 4 * 2, "40 ids written, by way of the cache; about 150 distances are "
                                      "compared a point, so comparisons bound it: 150 x 8 operations"),
     "boundary": (40 * 4 + 24 + 16, "40 ids read, 16 bytes written; 40 neighbours x 20 operations"),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact/cut_plane.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace rimline::exact {
 namespace {
@@ -36,14 +36,7 @@ std::optional<CutPlane> CutPlane::find(Points points, const Neighbours& neighbou
     const auto near = neighbours.of(v);
     for (const Index w : near) behind = behind + (1 / (n * static_cast<double>(near.size()))) * points[w];
   }
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  for (const Index v : rim) {
-    const Point d = points[v] - plane.at_;
-    const Eigen::Vector3d row(d.x, d.y, d.z);
-    squares += row * row.transpose();
-  }
-  const Eigen::Vector3d least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(squares).eigenvectors().col(0);
-  plane.inwards_ = {least[0], least[1], least[2]};
+  plane.inwards_ = fit_frame(points, std::span(rim).subspan(1), rim[0]).normal;
   if (dot(behind - plane.at_, plane.inwards_) < 0) plane.inwards_ = -1 * plane.inwards_;
   std::vector<double> heights;
   double squared = 0, sine = 0;

@@ -41,8 +41,9 @@ Point unit(Point p) { return (1 / std::max(norm(p), 1e-300)) * p; }
 
 class Curve {
  public:
-  Curve(Points points, const Neighbours& neighbours, const std::vector<double>& spacing, const Run& run)
-      : points_(points), neighbours_(neighbours), spacing_(spacing), run_(run) {}
+  Curve(Points points, const Neighbours& neighbours, const std::vector<double>& spacing, bool woven,
+        const Run& run)
+      : points_(points), neighbours_(neighbours), spacing_(spacing), woven_(woven), run_(run) {}
 
   // Fits the beads, which ascend by t, by quadratics in t over `window` units to either side. False where
   // they are too few.
@@ -116,7 +117,6 @@ class Curve {
       stations_[i].along_weave = std::sqrt(weaves[i / stride].xx);
       stations_[i].out_weave = std::sqrt(weaves[i / stride].yy);
     }
-    woven_ = true;
   }
 
   // Area in square spacings of a strip one spacing wide, as the weave has it, `depth` spacings inwards.
@@ -180,10 +180,10 @@ class Curve {
   Points points_;
   const Neighbours& neighbours_;
   const std::vector<double>& spacing_;
+  bool woven_;
   const Run& run_;
   std::vector<Station> stations_;
   double period_ = 0;
-  bool woven_ = false;
 };
 
 // Where a point lies over the curve.
@@ -199,12 +199,12 @@ struct Place {
 class Places {
  public:
   Places(Curve& curve, Points points, const Neighbours& neighbours, const std::vector<Bead>& beads,
-         bool woven, const Run& run)
+         const Run& run)
       : curve_(curve), points_(points) {
     look_around(beads, neighbours, run);
     std::erase_if(found_, [](const Place& p) { return p.squared_distance == infinite; });
     for (Place& p : found_) p.t -= curve.period() * std::floor(p.t / curve.period());
-    if (woven) {
+    if (curve.woven()) {
       curve.set_weaves(offsets_behind(neighbours));
       for (Place& p : found_) p.out *= station_of(p).out_weave;
     }
@@ -482,20 +482,20 @@ Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<do
   const double window = 4 + 8 * blur.noise;  // the curve must average over more where points scatter more
   std::vector<Bead> beads, on_rim;
   for (std::size_t i = 0; i < rim.size(); ++i) beads.push_back({static_cast<double>(i), rim[i], normals[i]});
-  Curve curve(points, neighbours, spacing, run);
+  Curve curve(points, neighbours, spacing, blur.woven, run);
   Redrawn result;
   for (int round = 0; round < rounds; ++round) {
     if (!curve.fit(beads, static_cast<double>(rim.size()), window)) return {};
-    const Places places(curve, points, neighbours, beads, blur.woven, run);
+    const Places places(curve, points, neighbours, beads, run);
     std::size_t count = expected_count(curve, places, row_of(places, beads));
     if (count < shortest || count >= places.found().size()) return {};
-    const std::size_t close = blur.woven ? 0 : beside(count, blur);  // rows are not strewn
+    const std::size_t close = curve.woven() ? 0 : beside(count, blur);  // rows are not strewn
     // What is behind a rim with more points than that does not tell its points.
     if (count + close < rim.size()) return {};
     count = places.valley(count);
     const auto& all = places.found();
     const std::size_t last = std::min(all.size() - 1, count + close);
-    const bool even = blur.noise > 0 && blur.irregular < 0.5 && !blur.woven;
+    const bool even = blur.noise > 0 && blur.irregular < 0.5 && !curve.woven();
     on_rim =
         even && round + 1 == rounds ? likeliest_way(curve, all, count, blur.noise) : outermost(all, count);
     beads = outermost(all, last);
