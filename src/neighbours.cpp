@@ -11,7 +11,7 @@
 namespace rimline {
 namespace {
 
-constexpr int points_in_leaf = 16;          // at most; measured
+constexpr int points_in_leaf = 32;          // at most; measured
 constexpr std::size_t leaves_in_task = 64;  // about a thousand points: long enough to hide its cost
 
 }  // namespace

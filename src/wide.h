@@ -9,6 +9,10 @@
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define RIMLINE_WIDE __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+// Before two functions of one name: the first is taken where the processor has AVX-512.
+#define RIMLINE_AVX512 __attribute__((target("arch=x86-64-v4")))
+#define RIMLINE_OTHERS __attribute__((target("default")))
 #else
 #define RIMLINE_WIDE
+#define RIMLINE_OTHERS
 #endif

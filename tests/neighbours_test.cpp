@@ -130,22 +130,42 @@ TEST_CASE("neighbours that single precision confuses are told apart") {
   for (const int k : {1, 2}) check_against_brute_force(points, k);
 }
 
-// Two leaves: pairs at distance `near` in the one set its radius to 1.1 `near` (see `slack`), so the other is
+// Two leaves: pairs at distance `near` in the one set its radius to 1.15 `near` (see `leaf_slack`), so the other is
 // not gathered. A point of the first has its nearest in the other, just beyond that radius, and one in its
 // own leaf beyond by so little more that single precision lets it pass.
 TEST_CASE("a neighbour just beyond the radius of its leaf is not taken for the nearest") {
-  const double near = 1e-3, radius = 1.1 * near, diagonal = 1.8, margin = 0x1p-20 * diagonal / radius;
+  const double near = 1e-3, radius = 1.15 * near, diagonal = 1.8, margin = 0x1p-20 * diagonal / radius;
   for (int trial = 0; trial < 40; ++trial) {
     const double y = 0.02 * trial + 0.1;
     std::vector<Point> points = {
         {0, y, 0}, {-radius * (1 + 0.6 * margin), y, 0}, {radius * (1 + 0.3 * margin), y, 0}, {1, y, 0}};
-    for (int i = 0; i < 7; ++i) {
-      const double at = i / 6.0;
+    for (int i = 0; i < 15; ++i) {
+      const double at = i / 14.0;
       for (const double x : {-1.5, 1.5}) points.insert(points.end(), {{x, at, 0}, {x + near, at, 0}});
     }
     Random(trial).shuffle(points);  // which is searched first depends on the order
     check_against_brute_force(points, 1);
   }
+}
+
+// Rows whose spacing doubles from one to the next: what suffices for a point is too little or too much for
+// the one after it in the same leaf.
+TEST_CASE("points whose density changes within a leaf have the neighbours of brute force") {
+  std::vector<Point> points;
+  for (int row = 0; row < 12; ++row) {
+    const double step = std::ldexp(1.0, row - 12);
+    for (int i = 0; i < 100; ++i) points.push_back({i * step, step + 1e-3 * (i % 7) * step, 0});
+  }
+  Random(5).shuffle(points);
+  for (const int k : {1, 6, 40}) check_against_brute_force(points, k);
+}
+
+TEST_CASE("more points within the radius than keys can tell apart have the neighbours of brute force") {
+  auto points = shapes::disc(24, 0.4).points;
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> part(-1e-3, 1e-3);
+  for (int i = 0; i < 600; ++i) points.push_back(Point{0.31, 0.17, 0} + Point{part(random), part(random), 0});
+  for (const int k : {12, 280}) check_against_brute_force(points, k);
 }
 
 TEST_CASE("several points at one place are neighbours at distance 0") {

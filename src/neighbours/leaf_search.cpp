@@ -2,18 +2,25 @@
 #include "neighbours/leaf_search.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
+
+#include "wide.h"
+
+#ifdef RIMLINE_AVX512
+#include <immintrin.h>
+#endif
 
 namespace rimline {
 namespace {
 
-// How much farther the leaf looks than the one before had to: more finds more points in vain, less sends
-// more points to search alone. Measured; it changes no result.
-constexpr double slack = 1.1;
+// How much farther the leaf looks than the one before had to, and a point than the one before it: less sends
+// more of them to search again, more finds more points in vain. Measured; they change no result.
+constexpr double leaf_slack = 1.15, point_slack = 1.08;
 
 // More gathered points than this many times k are a sign that the radius is too large.
 constexpr std::size_t most_gathered = 32;
@@ -21,15 +28,105 @@ constexpr std::size_t most_gathered = 32;
 // Moves in sorting what should be nearly sorted, for each point, before that is given up.
 constexpr std::size_t most_moves = 8;
 
-// Buckets of the squared distance within the radius.
-constexpr std::size_t buckets = 64;
-
 // The error of the single precision in radii: where it is more (the leaf is that much larger than the
 // radius), distances are not compared in single precision.
-constexpr double most_margin = 0.125 / buckets;
+constexpr double most_margin = 0x1p-9;
 
 // Squares of lengths in between neither overflow nor lose digits.
 constexpr double least_radius = 1e-140, most_radius = 1e140;
+
+// Gathered points and keys are looked at so many at once; arrays of them have room for as many more.
+constexpr std::size_t lanes = 16;
+using Lanes = std::int32_t __attribute__((vector_size(lanes * sizeof(std::int32_t))));
+
+// As many can be told apart by the lowest bits of a key.
+constexpr std::size_t most_keys = 256;
+
+// Coordinates of the tree's places in runs [begin, end), from a centre and scaled.
+RIMLINE_WIDE void gather_runs(const double* from, const std::vector<std::size_t>& runs, double centre,
+                              double scale, float* to) {
+  for (std::size_t r = 0; r < runs.size(); r += 2) {
+    for (std::size_t i = runs[r]; i < runs[r + 1]; ++i) *to++ = static_cast<float>((from[i] - centre) * scale);
+  }
+}
+
+// The gathered points, in single precision, and their places in the tree.
+struct Gathered {
+  const float *x, *y, *z;
+  const Index* places;
+  std::size_t count;
+};
+
+#ifdef RIMLINE_AVX512
+RIMLINE_AVX512 std::size_t pass(const Gathered& from, float x, float y, float z, float limit, Index* passed,
+                                std::int32_t* bits) {
+  const __m512 at_x = _mm512_set1_ps(x), at_y = _mm512_set1_ps(y), at_z = _mm512_set1_ps(z);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < from.count; i += lanes) {
+    const __m512 dx = _mm512_sub_ps(_mm512_loadu_ps(from.x + i), at_x);
+    const __m512 dy = _mm512_sub_ps(_mm512_loadu_ps(from.y + i), at_y);
+    const __m512 dz = _mm512_sub_ps(_mm512_loadu_ps(from.z + i), at_z);
+    const __m512 xy = _mm512_add_ps(_mm512_mul_ps(dx, dx), _mm512_mul_ps(dy, dy));
+    const __m512 squared = _mm512_add_ps(xy, _mm512_mul_ps(dz, dz));
+    const __mmask16 within = _mm512_cmp_ps_mask(squared, _mm512_set1_ps(limit), _CMP_LE_OQ);
+    const __m512i places = _mm512_loadu_si512(from.places + i);
+    _mm512_storeu_si512(passed + count, _mm512_maskz_compress_epi32(within, places));
+    _mm512_storeu_ps(bits + count, _mm512_maskz_compress_ps(within, squared));
+    count += static_cast<std::size_t>(std::popcount(static_cast<unsigned>(within)));
+  }
+  return count;
+}
+#endif
+
+// Those within the limit, a squared distance from (x, y, z), and the bits of their squared distances.
+RIMLINE_OTHERS std::size_t pass(const Gathered& from, float x, float y, float z, float limit, Index* passed,
+                                std::int32_t* bits) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < from.count; ++i) {
+    const float dx = from.x[i] - x, dy = from.y[i] - y, dz = from.z[i] - z;
+    const float squared = dx * dx + dy * dy + dz * dz;
+    passed[count] = from.places[i];
+    bits[count] = std::bit_cast<std::int32_t>(squared);
+    count += squared <= limit;
+  }
+  return count;
+}
+
+// Writes the places in the order of the bits of their squared distances, but for the lowest bits. The rank of
+// a key, all of which differ, is the number of those below it: no branch depends on any. Keys have room for
+// `lanes` more, `ordered` for one.
+RIMLINE_WIDE void order_by_rank(std::int32_t* keys, const Index* places, std::size_t count, Index* ordered) {
+  // The order of numbers that are not negative is that of their bits; the lowest make them differ.
+  constexpr std::int32_t lowest = most_keys - 1;
+  for (std::size_t j = 0; j < count; ++j) keys[j] = (keys[j] & ~lowest) | static_cast<std::int32_t>(j);
+  std::fill_n(keys + count, lanes, std::numeric_limits<std::int32_t>::max());
+  for (std::size_t first = 0; first < count; first += lanes) {
+    Lanes own, sum{};
+    std::memcpy(&own, keys + first, sizeof(own));
+    for (std::size_t j = 0; j < count; ++j) sum -= keys[j] < own;  // -1 where true
+    std::int32_t rank[lanes];
+    std::memcpy(rank, &sum, sizeof(rank));
+    for (std::size_t l = 0; l < lanes; ++l) ordered[rank[l]] = places[first + l];
+  }
+}
+
+// Squared distances of places from a point.
+RIMLINE_WIDE void square_distances(const KdTree& tree, const Index* places, std::size_t count, Point from,
+                                   double* squared) {
+  const double *x = tree.x.data(), *y = tree.y.data(), *z = tree.z.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double dx = x[places[i]] - from.x, dy = y[places[i]] - from.y, dz = z[places[i]] - from.z;
+    squared[i] = dx * dx + dy * dy + dz * dz;
+  }
+}
+
+RIMLINE_WIDE bool ascend(const double* values, std::size_t count) {
+  int wrong = 0;
+  for (std::size_t i = 1; i < count; ++i) wrong |= !(values[i - 1] < values[i]);
+  return wrong == 0;
+}
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
@@ -43,21 +140,22 @@ void LeafSearch::search(std::size_t leaf, Neighbours& result) {
     if (!gathered || !search_gathered(place)) {
       search_tree(place);
       // The rest of the leaf needs about as much.
-      const double needed = slack * std::sqrt(found_[k_ - 1].squared);
+      const double needed = leaf_slack * std::sqrt(squared_[k_ - 1]);
       radius_ = gathered ? std::max(radius_, needed) : needed;
       gathered = gather(node);
     }
-    most = std::max(most, found_[k_ - 1].squared);
+    most = std::max(most, squared_[k_ - 1]);
     write(place, result);
   }
-  radius_ = slack * std::sqrt(most);
+  radius_ = leaf_slack * std::sqrt(most);
 }
 
 // Collects the points of all leaves within the radius of this one. False where the radius is of no use.
 bool LeafSearch::gather(std::size_t own) {
   const Bounds& leaf = tree_.bounds(own);
   if (!(radius_ > least_radius && radius_ < most_radius)) return false;
-  places_.clear();
+  runs_.clear();
+  std::size_t count = 0;
   stack_.assign(1, 1);
   while (!stack_.empty()) {
     const std::size_t node = stack_.back();
@@ -68,76 +166,79 @@ bool LeafSearch::gather(std::size_t own) {
       stack_.push_back(2 * node);
       continue;
     }
-    const std::size_t first = tree_.begin(node), count = places_.size();
     if (count > most_gathered * (k_ + 8)) return false;
+    const std::size_t first = tree_.begin(node), last = tree_.end(node);
     if (node == own) self_ = count, first_ = first;
-    places_.resize(count + tree_.end(node) - first);
-    std::iota(places_.begin() + count, places_.end(), static_cast<Index>(first));
+    if (!runs_.empty() && runs_.back() == first) {
+      runs_.back() = last;
+    } else {
+      runs_.insert(runs_.end(), {first, last});
+    }
+    count += last - first;
   }
+  places_.clear();
+  for (std::size_t r = 0; r < runs_.size(); r += 2) {
+    for (std::size_t i = runs_[r]; i < runs_[r + 1]; ++i) places_.push_back(static_cast<Index>(i));
+  }
+  places_.resize(count + lanes, 0);
   const Point centre = 0.5 * leaf.low + 0.5 * leaf.high;
   const double scale = 1 / radius_;
-  const std::size_t count = places_.size();
-  x_.resize(count), y_.resize(count), z_.resize(count);
-  squared_.resize(count), room_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    x_[i] = static_cast<float>((tree_.x[places_[i]] - centre.x) * scale);
-    y_[i] = static_cast<float>((tree_.y[places_[i]] - centre.y) * scale);
-    z_[i] = static_cast<float>((tree_.z[places_[i]] - centre.z) * scale);
-  }
+  for (auto* coordinate : {&x_, &y_, &z_}) coordinate->assign(count + lanes, infinity);
+  passed_.resize(count + lanes), keys_.resize(count + lanes);
+  gather_runs(tree_.x.data(), runs_, centre.x, scale, x_.data());
+  gather_runs(tree_.y.data(), runs_, centre.y, scale, y_.data());
+  gather_runs(tree_.z.data(), runs_, centre.z, scale, z_.data());
   // A point of the leaf has coordinates up to `half` radii, one within the radius of it up to half + 1. Each
   // is rounded once and their difference once, by 2^-24 of their size: 16 times that leaves room for the
   // three axes and the sum.
   const double half = norm(leaf.high - leaf.low) * scale;
-  const double margin = 0x1p-20 * (half + 1);
-  limit_ = static_cast<float>((1 + margin) * (1 + margin));
-  return margin < most_margin;
+  margin_ = 0x1p-20 * (half + 1);
+  reach_ = 1;
+  return margin_ < most_margin;
 }
 
-// The gathered points within the radius, and some that rounding lets pass; without the point itself.
-void LeafSearch::pass(std::size_t place) {
-  const std::size_t self = self_ + place - first_;
-  const float x = x_[self], y = y_[self], z = z_[self];
-  const std::size_t count = places_.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const float dx = x_[i] - x, dy = y_[i] - y, dz = z_[i] - z;
-    squared_[i] = dx * dx + dy * dy + dz * dz;
-  }
-  squared_[self] = std::numeric_limits<float>::infinity();
-  std::size_t passed = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    room_[passed] = static_cast<Index>(i);
-    passed += squared_[i] <= limit_;
-  }
-  passed_ = {room_.data(), passed};
-}
-
+// A point needs about as much as the one before it, which leaves less to sort than the whole radius does.
 bool LeafSearch::search_gathered(std::size_t place) {
-  pass(place);
-  if (passed_.size() < k_) return false;
-  keep_nearest();
-  const Point point = tree_.point(place);
-  for (Found& found : found_) found.squared = squared_distance(tree_.point(found.place), point);
-  sort_found();
-  // Only within the radius nothing was missed.
-  return found_[k_ - 1].squared <= radius_ * radius_;
+  if (!search_within(reach_, place) && (reach_ == 1 || !search_within(1, place))) return false;
+  reach_ = std::min(1.0, point_slack * std::sqrt(squared_[k_ - 1]) / radius_);
+  return true;
 }
 
-// Copies at least the k nearest of those that passed to `found_`, nearly sorted: by buckets of the squared
-// distance in single precision, which points of a surface fill evenly.
-void LeafSearch::keep_nearest() {
-  const float scale = static_cast<float>(buckets);
-  const auto bucket = [&](Index i) { return static_cast<std::size_t>(squared_[i] * scale); };
-  std::array<Index, buckets + 3> start{};
-  for (const Index i : passed_) ++start[bucket(i)];
-  std::size_t kept = 0, end = 0;
-  const auto take_bucket = [&] { kept += std::exchange(start[end++], static_cast<Index>(kept)); };
-  while (kept < k_) take_bucket();
-  // The margin is far less than a bucket, so one more has all whose exact distance may be among the least.
-  take_bucket();
-  found_.resize(passed_.size());
-  start[end] = static_cast<Index>(kept);  // all others, which go
-  for (const Index i : passed_) found_[start[std::min(bucket(i), end)]++].place = places_[i];
-  found_.resize(kept);
+// Whether the k nearest are within reach, at most 1 radius. Then they are the first that are found.
+bool LeafSearch::search_within(double reach, std::size_t place) {
+  const std::size_t self = self_ + place - first_;
+  const float limit = static_cast<float>((reach + margin_) * (reach + margin_));
+  const float x = std::exchange(x_[self], infinity);  // no neighbour of itself
+  const std::size_t count =
+      pass({x_.data(), y_.data(), z_.data(), places_.data(), places_.size() - lanes}, x, y_[self], z_[self],
+           limit, passed_.data(), keys_.data());
+  x_[self] = x;
+  if (count < k_) return false;
+  sort_passed(count, tree_.point(place));
+  // Only within reach nothing was missed.
+  return squared_[k_ - 1] <= reach * reach * (radius_ * radius_);
+}
+
+void LeafSearch::sort_passed(std::size_t count, Point point) {
+  nearest_.resize(count + 1);
+  squared_.resize(count);
+  if (count <= most_keys) {
+    order_by_rank(keys_.data(), passed_.data(), count, nearest_.data());
+  } else {
+    std::copy_n(passed_.begin(), count, nearest_.begin());
+  }
+  square_distances(tree_, nearest_.data(), count, point, squared_.data());
+  if (ascend(squared_.data(), count)) return;
+  found_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) found_[i] = {squared_[i], nearest_[i]};
+  sort_found();
+  take_found();
+}
+
+void LeafSearch::take_found() {
+  nearest_.resize(found_.size());
+  squared_.resize(found_.size());
+  for (std::size_t i = 0; i < found_.size(); ++i) squared_[i] = found_[i].squared, nearest_[i] = found_[i].place;
 }
 
 void LeafSearch::sort_found() {
@@ -160,6 +261,7 @@ void LeafSearch::search_tree(std::size_t place) {
   visit(1, place);
   std::sort_heap(found_.begin(), found_.end(),
                  [this](const Found& a, const Found& b) { return before(a, b); });
+  take_found();
 }
 
 // Keeps the k best in a heap with the worst on top. Nodes as far as the worst are visited: ties.
@@ -197,7 +299,7 @@ bool LeafSearch::before(const Found& a, const Found& b) const {
 
 void LeafSearch::write(std::size_t place, Neighbours& result) const {
   const std::size_t slot = static_cast<std::size_t>(tree_.id[place]) * k_;
-  for (std::size_t j = 0; j < k_; ++j) result.ids[slot + j] = tree_.id[found_[j].place];
+  for (std::size_t j = 0; j < k_; ++j) result.ids[slot + j] = tree_.id[nearest_[j]];
 }
 
 }  // namespace rimline

@@ -2,7 +2,7 @@
 // The k nearest points of all points of a leaf at once.
 #pragma once
 
-#include <span>
+#include <cstdint>
 #include <vector>
 
 #include "neighbours/kd_tree.h"
@@ -29,9 +29,10 @@ class LeafSearch {
 
   bool gather(std::size_t leaf_node);
   bool search_gathered(std::size_t place);
-  void pass(std::size_t place);
-  void keep_nearest();
+  bool search_within(double reach, std::size_t place);
+  void sort_passed(std::size_t count, Point point);
   void sort_found();
+  void take_found();
   void search_tree(std::size_t place);
   void visit(std::size_t node, std::size_t place);
   bool before(const Found& a, const Found& b) const;
@@ -39,17 +40,21 @@ class LeafSearch {
 
   const KdTree& tree_;
   std::size_t k_;
-  std::vector<Found> found_;  // of the point that is searched for: k of them, sorted
+  // Of the point that is searched for, sorted, k of them or more.
+  std::vector<Index> nearest_;   // places
+  std::vector<double> squared_;  // distances
+  std::vector<Found> found_;     // both, on the way there
 
   double radius_ = 0;
-  float limit_ = 0;  // squared distances, in radii, that may be at most 1 when computed exactly
+  double reach_ = 1;  // radii that sufficed for the point before, and a little more
+  double margin_ = 0;  // by which a distance in single precision, in radii, may be too large
   std::size_t first_ = 0, self_ = 0;  // place and position in the gathered of the leaf's first point
   std::vector<std::size_t> stack_;
-  std::vector<Index> places_;      // gathered for the leaf
-  std::vector<float> x_, y_, z_;   // of the gathered, from the centre of the leaf, in radii
-  std::vector<float> squared_;     // of the gathered, from the point that is searched for
-  std::span<const Index> passed_;  // positions in the gathered of what may be within the radius
-  std::vector<Index> room_;        // for these
+  std::vector<std::size_t> runs_;   // of places that are gathered: begin and end of each
+  std::vector<Index> places_;       // gathered for the leaf
+  std::vector<float> x_, y_, z_;    // of the gathered, from the centre of the leaf, in radii
+  std::vector<Index> passed_;       // the places of what may be within reach
+  std::vector<std::int32_t> keys_;  // of those that passed: the bits of their squared distances
 };
 
 }  // namespace rimline
