@@ -126,28 +126,28 @@ class Survey {
       kept_.assign(complex_.size(), 1);
       return;
     }
-    KnownRims known;
-    const std::vector<std::uint8_t> barred = bar_gaps();
-    std::vector<Index> doubts = look(o, barred, known);
-    // Rims that turn out to be even all along are likely so where they seem not to be: looked for once more,
-    // with that known. Noise blurs what is even.
-    if (blur_.noise == 0 && o.generations > 0) {
-      known = {evenness(points_, walk_rims(complex_, kept_, run_)), kept_, std::move(doubts)};
-      look(o, barred, known);
-    }
+    const std::vector<double> evenness = look_twice(o);
     // The large triangles that are gone had turned edges of the rim; with them out of the way the notches
     // they leave can be seen for what they are, so the search looks again.
     keep_and_mend();
-    known.kept.clear();
-    look(o, bar_gaps(), known);
+    take(RimSearch(complex_, sizes_, bar_gaps(), o, run_).find(evenness));
+    sizes_.drop_limits();
   }
 
-  // Returns the triangles that it doubted.
-  std::vector<Index> look(const RimSearchOptions& options, const std::vector<std::uint8_t>& barred,
-                          const KnownRims& known) {
-    RimSearchResult found = search_rim(complex_, sizes_, barred, known, options, run_);
+  // Rims that turn out to be even all along are likely so where they seem not to be: looked for once more,
+  // with that known. Noise blurs what is even. Returns how even rims are, where that is known.
+  std::vector<double> look_twice(const RimSearchOptions& options) {
+    const RimSearch rims(complex_, sizes_, bar_gaps(), options, run_);
+    take(rims.find({}));
+    if (blur_.noise > 0 || options.generations == 0) return {};
+    std::vector<double> even = evenness(points_, walk_rims(complex_, kept_, run_));
+    take(rims.find_again(even, kept_));
+    return even;
+  }
+
+  void take(RimSearchResult found) {
     RimSearchSummary& summary = result_.search;
-    summary.doubtful += found.doubts.size();
+    summary.doubtful += found.doubtful;
     summary.groups += found.groups;
     summary.greedy += found.greedy;
     summary.best += found.best;
@@ -156,7 +156,6 @@ class Survey {
       summary.history[i].mean += found.history_mean[i];
     }
     kept_ = std::move(found.kept);
-    return std::move(found.doubts);
   }
 
   void keep_and_mend() {
@@ -241,9 +240,11 @@ class Survey {
       std::size_t points = 0;  // on the last of them
       for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
         here.clear();
+        Index newest = none;  // most triangles are on the same as the one before
         for (const Index t : complex_.star(v)) {
           const Index c = sheets_.of_triangle[t];
-          if (c == none || std::find(here.begin(), here.end(), c) != here.end()) continue;
+          if (c == none || c == newest || std::find(here.begin(), here.end(), c) != here.end()) continue;
+          newest = c;
           here.push_back(c);
           if (c != last && last != none) add(result_.components[last].points, std::exchange(points, 0));
           last = c;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "exact/ranks.h"
-#include "exact/star_levels.h"
 #include "parallel.h"
 
 namespace rimline::exact {
@@ -34,15 +34,6 @@ LocalSize LocalSizes::measure(Index vertex, std::vector<double>& radii) const {
   return {typical, (upper - lower) / typical};
 }
 
-void LocalSizes::find(const std::function<bool(Index)>& wanted, const Run& run) {
-  parallel_slices(known_.size(), Stage::Loops, run, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> radii;
-    for (Index v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
-      if (known_[v].typical < 0 && wanted(v)) known_[v] = measure(v, radii);
-    }
-  });
-}
-
 void LocalSizes::find(std::span<const Index> vertices, const Run& run) {
   parallel_slices(vertices.size(), Stage::Loops, run, [&](std::size_t begin, std::size_t end) {
     std::vector<double> radii;
@@ -52,46 +43,53 @@ void LocalSizes::find(std::span<const Index> vertices, const Run& run) {
   });
 }
 
-void LocalSizes::find_bounds(const std::function<bool(Index)>& wanted, const Run& run) {
-  const StarLevels levels(complex_, run);
-  least_.resize(known_.size());
-  parallel_slices(known_.size(), Stage::Loops, run, [&](std::size_t begin, std::size_t end) {
-    StarLevels::Search search(levels);
-    std::vector<Index> vertices;
-    for (Index v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
-      if (least_[v].typical >= 0 || !wanted(v)) continue;
-      const auto near = neighbours_.of(v, std::min(around, neighbours_.k));
-      vertices.assign(1, v);
-      vertices.insert(vertices.end(), near.begin(), near.end());
-      const std::size_t n = search.take(vertices);
-      if (n == 0) continue;
-      const auto [lower, typical, upper] = search.levels_at(ranks_among(n));
-      const double spread = (levels.least(upper) - levels.above(lower)) / levels.above(typical);
-      least_[v] = {levels.least(typical), std::max(0.0, spread)};
-    }
-  });
+void LocalSizes::find_limits(double margin, const Run& run) {
+  if (levels_ && margin == margin_) return;
+  margin_ = margin;
+  if (!levels_) levels_.emplace(complex_, run);
+  limit_.resize(known_.size());
+  parallel_for_each(known_.size(), Stage::Loops, run, [&](Index v) { limit_[v] = limit_at(v); });
 }
 
-bool LocalSizes::may_exceed(Index triangle, double margin) const {
-  double typical = 0, spread = 0;
-  for (const Index v : complex_.triangle(triangle)) {
-    if (least_[v].typical < 0) return true;
-    typical += least_[v].typical / 3;
-    spread += least_[v].spread / 3;
-  }
-  constexpr double rounding = 1 - 1e-9;
-  const double x = margin + spread;
-  return complex_.radius(triangle) > rounding * typical * (1 + x + x * x / 2);  // e^x is more
+void LocalSizes::drop_limits() {
+  levels_.reset();
+  limit_ = {};
+}
+
+// The logarithm of a mean is at least the mean of logarithms, so a triangle whose radius is at most the
+// geometric mean of typical * exp(margin + spread) at its corners is no larger than that.
+float LocalSizes::limit_at(Index vertex) const {
+  const int near_count = std::min(around, neighbours_.k);
+  std::array<Index, around + 1> vertices{vertex};
+  std::ranges::copy(neighbours_.of(vertex, near_count), vertices.begin() + 1);
+  const StarLevels::Sum sum = levels_->sum({vertices.data(), static_cast<std::size_t>(near_count) + 1});
+  if (sum.count == 0 || sum.count > StarLevels::most) return 0;
+  const auto [lower, typical, upper] = StarLevels::levels_at(sum, ranks_among(sum.count));
+  const double range = std::max(0.0, levels_->least(upper) - levels_->above(lower));  // 0 where none is below
+  const double x = margin_ + range / levels_->above(typical);
+  const double limit = levels_->least(typical) * (1 + x + x * x / 2 + x * x * x / 6);  // e^x is more
+  return static_cast<float>(std::min(limit, double{std::numeric_limits<float>::max()}));
+}
+
+bool LocalSizes::may_exceed(Index triangle) const {
+  const auto& [a, b, c] = complex_.triangle(triangle);
+  constexpr double rounding = 1e-6;
+  const double radius = complex_.radius(triangle);
+  return (radius / limit_[a]) * (radius / limit_[b]) * (radius / limit_[c]) > 1 - rounding;
 }
 
 void LocalSizes::forget(const std::vector<std::uint8_t>& changed, const Run& run) {
-  parallel_for_each(known_.size(), Stage::Loops, run, [&](Index v) {
-    bool near = changed[v];
-    for (const Index w : neighbours_.of(v, std::min(around, neighbours_.k))) near |= changed[w] != 0;
-    if (!near) return;
-    known_[v] = {};
-    if (!least_.empty()) least_[v] = {};
-  });
+  const int near_count = std::min(around, neighbours_.k);
+  const auto gone =
+      parallel_gather<Index>(known_.size(), Stage::Loops, run, [&](Index v, std::vector<Index>& found) {
+        std::uint8_t any = changed[v];
+        for (const Index w : neighbours_.of(v, near_count)) any |= changed[w];
+        if (any) found.push_back(v);
+      });
+  for (const Index v : gone) known_[v] = {};
+  if (!levels_) return;
+  levels_->renew(complex_, changed, run);
+  parallel_for_each(gone.size(), Stage::Loops, run, [&](Index i) { limit_[gone[i]] = limit_at(gone[i]); });
 }
 
 double LocalSizes::log_ratio(const Triangle& triangle) {
@@ -103,8 +101,11 @@ double LocalSizes::log_ratio(const Triangle& triangle) {
 }
 
 double LocalSizes::own(Index vertex) const {
-  std::vector<double> radii;
-  for (const Index t : complex_.star(vertex)) radii.push_back(complex_.radius(t));
+  const auto star = complex_.star(vertex);
+  std::array<double, 16> few;
+  std::vector<double> many(star.size() > few.size() ? star.size() : 0);
+  const std::span<double> radii = many.empty() ? std::span(few).first(star.size()) : std::span(many);
+  std::ranges::transform(star, radii.begin(), [&](Index t) { return complex_.radius(t); });
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::nth_element(radii.begin(), middle, radii.end());
   return *middle;

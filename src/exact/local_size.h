@@ -3,13 +3,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "exact/complex.h"
+#include "exact/star_levels.h"
 #include "rimline/neighbours.h"
 #include "rimline/run.h"
+#include "rimline/unfilled.h"
 
 namespace rimline::exact {
 
@@ -28,16 +30,17 @@ class LocalSizes {
       : complex_(complex), neighbours_(neighbours), known_(complex.vertices()) {}
 
   const LocalSize& at(Index vertex);
-  // Computes those of the vertices v for which wanted(v), and forgets none.
-  void find(const std::function<bool(Index)>& wanted, const Run& run);
-  // The same for the given ones.
+  // Computes those of the given ones.
   void find(std::span<const Index> vertices, const Run& run);
-  // Brackets them, which costs a fraction, for may_exceed().
-  void find_bounds(const std::function<bool(Index)>& wanted, const Run& run);
-  // Whether the log_ratio of a triangle may be more than the margin, not negative, plus its spread, as far
-  // as the bounds at its corners tell. Never false where it is.
-  bool may_exceed(Index triangle, double margin) const;
-  // Forgets all that the triangles at the marked vertices had a part in: after these have changed.
+  // Bounds from below what radii have to be for a log_ratio of more than the margin, not negative, plus the
+  // spread, at all vertices: that costs a fraction of the sizes. Does nothing where these limits are known.
+  void find_limits(double margin, const Run& run);
+  void drop_limits();
+  // Whether the log_ratio of a triangle may be that much, as far as the limits at its corners tell. Never
+  // false where it is.
+  bool may_exceed(Index triangle) const;
+  // Computes anew, or forgets until asked for, all that the triangles at the marked vertices have a part in:
+  // after these have changed.
   void forget(const std::vector<std::uint8_t>& changed, const Run& run);
   // Median circumradius of the triangles at the vertex alone.
   double own(Index vertex) const;
@@ -49,11 +52,14 @@ class LocalSizes {
   static constexpr int around = 16;  // nearest neighbours whose triangles count
 
   LocalSize measure(Index vertex, std::vector<double>& radii) const;
+  float limit_at(Index vertex) const;
 
   const Complex& complex_;
   const Neighbours& neighbours_;
   std::vector<LocalSize> known_;
-  std::vector<LocalSize> least_;  // not more than those; empty until bounds were asked for
+  std::optional<StarLevels> levels_;  // until limits are dropped
+  double margin_ = 0;
+  UnfilledVector<float> limit_;  // 0 where it is not known
   std::vector<double> radii_;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exact/complex.h"
+#include "exact/doubt.h"
 #include "exact/local_size.h"
 #include "exact/rim.h"
 #include "exact/rim_energy.h"
@@ -22,16 +23,10 @@ struct RimSearchOptions {
 
 struct RimSearchResult {
   Kept kept;
-  std::vector<Index> doubts;  // the doubtful triangles, ascending: the bits of all chromosomes
+  std::size_t doubtful = 0;  // triangles: the bits of all chromosomes
   std::size_t groups = 0;
   double greedy = 0, best = 0;                     // fitness
   std::vector<double> history_best, history_mean;  // per generation, summed over the groups
-};
-
-struct KnownRims {
-  std::vector<double> evenness;  // of the rim at each vertex, 0 to 1; 0 where it is on none. Empty: not known
-  Kept kept;  // by a search of the same triangles, taken over where no rim is even. Empty: searched anew
-  std::vector<Index> doubts;  // of that search, with the same `barred`
 };
 
 constexpr std::uint8_t at_gap = 1, at_fold = 2;  // marks in `barred`
@@ -43,11 +38,32 @@ constexpr std::uint8_t at_gap = 1, at_fold = 2;  // marks in `barred`
 // Doubtful triangles that share no vertex with others of their group do not influence each other, so each
 // group has a population of its own.
 //
-// `known` is what a search before has shown.
-//
 // Triangles at a vertex marked in `barred` are not doubted: those around gaps that are no boundary. But what
 // is plainly too large is doubted at a gap, though not at one where the surface folds.
-RimSearchResult search_rim(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
-                           const KnownRims& known, const RimSearchOptions& options, const Run& run);
+//
+// The complex, which must stay as it is, and the run must outlive it.
+class RimSearch {
+ public:
+  RimSearch(const Complex& complex, LocalSizes& sizes, const std::vector<std::uint8_t>& barred,
+            const RimSearchOptions& options, const Run& run);
+
+  // `evenness`: of a rim known before at each vertex, 0 to 1; 0 where it is on none. Empty: not known.
+  RimSearchResult find(const std::vector<double>& evenness) const;
+  // Once more, with the evenness of the rim found `before`. Where no rim is even it would find the same, which
+  // is taken over.
+  RimSearchResult find_again(const std::vector<double>& evenness, const Kept& before) const;
+
+ private:
+  Doubt with(const std::vector<double>& evenness) const;
+  template <class Wanted>
+  RimSearchResult search(const Doubt& doubt, Kept kept, const Wanted& wanted) const;
+
+  const Complex& complex_;
+  RimSearchOptions options_;
+  const Run& run_;
+  Doubt doubt_;
+  Corners corners_;
+  Groups groups_;
+};
 
 }  // namespace rimline::exact

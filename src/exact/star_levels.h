@@ -10,45 +10,47 @@
 
 #include "exact/complex.h"
 #include "rimline/run.h"
+#include "rimline/unfilled.h"
 
 namespace rimline::exact {
 
-// The radii of all stars in 256 levels, sixteen an octave, a byte each and star after star. A radius is in
-// the surroundings of some twenty points, so it pays to look at bytes first, and at radii only where the
-// levels do not tell enough.
+// How many radii of each star are below each of 32 limits, a byte each. A radius is in the surroundings of
+// some twenty points, and how many are below the limits there is the sum of as many rows of bytes. So it pays
+// to look at these first, and at radii only where they do not tell enough.
 class StarLevels {
- public:
-  StarLevels(const Complex& complex, const Run& run);
-
-  // What a radius of the level is at least, and less than.
-  double least(int level) const;
-  double above(int level) const;
-
-  // Asks for ranks again and again; each thread has one of its own.
-  class Search {
-   public:
-    explicit Search(const StarLevels& levels) : levels_(levels) {}
-
-    // Takes the stars of all these vertices; triangles in several of them count several times. Returns the
-    // number of triangles.
-    std::size_t take(std::span<const Index> vertices);
-    // The levels at three ascending ranks, from 0, below that number.
-    std::array<int, 3> levels_at(const std::array<std::size_t, 3>& ranks);
-
-   private:
-    std::size_t count_below(int level) const;
-    std::array<std::size_t, 3> counts_below(const std::array<int, 3>& levels) const;
-
-    const StarLevels& levels_;
-    std::size_t size_ = 0;
-    std::vector<std::uint8_t> level_;         // of each triangle
-    std::array<int, 3> last_{128, 128, 128};  // the levels found before, near which the next ones are sought
+  static constexpr std::size_t limits = 32, block = 16;  // bytes that are added and compared at once
+  using Block = std::uint8_t __attribute__((vector_size(block)));
+  struct Row {
+    Block low, high;
   };
 
+ public:
+  StarLevels(const Complex& complex, const Run& run);
+  // The marked stars, whose triangles have changed; limits stay as they are.
+  void renew(const Complex& complex, const std::vector<std::uint8_t>& changed, const Run& run);
+
+  // What a radius of the level is at least, and less than.
+  double least(int level) const { return least_[static_cast<std::size_t>(level)]; }
+  double above(int level) const { return least_[static_cast<std::size_t>(level) + 1]; }
+
+  // Of the stars of some vertices: triangles in several of them count several times.
+  struct Sum {
+    std::size_t count;
+    Row below;  // wrong where the count is more than `most`
+  };
+  static constexpr std::size_t most = 254;
+  Sum sum(std::span<const Index> vertices) const;
+  // The levels of the radii at three ranks, from 0, below the count, which is at most `most`.
+  static std::array<int, 3> levels_at(const Sum& sum, const std::array<std::size_t, 3>& ranks);
+
  private:
-  int lowest_ = 0;                    // the first level, as the bits of a number say it
-  std::vector<std::uint32_t> start_;  // of each vertex's star in level_
-  std::vector<std::uint8_t> level_;
+  template <class LevelOf>
+  void count_star(const Complex& complex, Index vertex, const LevelOf& level_of);
+
+  std::array<int, limits> starts_;          // of the levels above the first, as steps
+  std::array<double, limits + 2> least_{};  // of each level, and what is more than all radii
+  UnfilledVector<std::uint8_t> size_;       // of each star, or 255 where it is more
+  UnfilledVector<Row> row_;
 };
 
 }  // namespace rimline::exact

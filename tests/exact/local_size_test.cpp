@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "exact/frame.h"
@@ -83,7 +85,9 @@ TEST_CASE("sizes found for all at once, and kept over changes elsewhere, are tho
   const auto frames = fit_frames(points, neighbours, {});
   Complex complex = surface_of(points, neighbours, frames);
   LocalSizes sizes(complex, neighbours);
-  sizes.find([](Index v) { return v % 2 == 0; }, {});
+  std::vector<Index> even;
+  for (Index v = 0; v < complex.vertices(); v += 2) even.push_back(v);
+  sizes.find(even, {});
   CHECK(differences(complex, neighbours, sizes) == 0);
 
   std::vector<std::uint8_t> kept(complex.size(), 1), changed(points.size(), 0);
@@ -97,50 +101,107 @@ TEST_CASE("sizes found for all at once, and kept over changes elsewhere, are tho
   CHECK(differences(complex, neighbours, sizes) == 0);
 }
 
-TEST_CASE("levels of stars bracket the radii at ranks, of any number of stars") {
+TEST_CASE("levels of stars bracket the radii at ranks, and are fine") {
   const auto points = random_sheet(2000);
   const Neighbours neighbours = find_neighbours(points, 40, {});
   const auto frames = fit_frames(points, neighbours, {});
   const Complex complex = surface_of(points, neighbours, frames);
   const StarLevels levels(complex, {});
-  StarLevels::Search search(levels);
+  double middle_width = 0;
+  int middle_count = 0;
   for (Index v = 0; v < complex.vertices(); v += 7) {
-    // From one star to more triangles than a byte can count.
     const auto vertices = neighbours.of(v, 1 + v % 40);
-    std::vector<Index> all;
-    for (int i = 0; i < (v % 11 == 0 ? 40 : 1); ++i) all.insert(all.end(), vertices.begin(), vertices.end());
     std::vector<double> sorted;
-    for (const Index w : all) {
+    for (const Index w : vertices) {
       for (const Index t : complex.star(w)) sorted.push_back(complex.radius(t));
     }
     std::sort(sorted.begin(), sorted.end());
-    const std::size_t n = search.take(all);
-    REQUIRE(n == sorted.size());
-    if (n == 0) continue;
-    const std::array<std::size_t, 3> ranks{n / 4, 5 * n / 8, n - 1};
-    const auto level = search.levels_at(ranks);
+    const std::size_t n = sorted.size();
+    const StarLevels::Sum sum = levels.sum(vertices);
+    REQUIRE(sum.count == n);
+    if (n == 0 || n > StarLevels::most) continue;
+    const std::array<std::size_t, 3> ranks{v % 2 == 0 ? 0 : n / 4, n / 2, n - 1};
+    const auto level = StarLevels::levels_at(sum, ranks);
     for (int i = 0; i < 3; ++i) {
       REQUIRE(levels.least(level[i]) <= sorted[ranks[i]]);
       REQUIRE(levels.above(level[i]) > sorted[ranks[i]]);
     }
+    if (n < 20) continue;
+    middle_width += std::log(levels.above(level[1]) / levels.least(level[1]));
+    ++middle_count;
   }
+  REQUIRE(middle_count > 100);
+  CHECK(middle_width / middle_count < 0.1);
 }
 
-TEST_CASE("bounds of sizes never hide a triangle that is larger than usual, and tell most of the others") {
+TEST_CASE("stars of more triangles than a byte can count are told by the count, and have no limit") {
+  // A fan around one point of a large circle, and all others near it.
+  constexpr int around = 300;
+  std::vector<Point> points{{0, 0, 0}};
+  for (int i = 0; i < around; ++i) {
+    const double turn = 2 * std::numbers::pi * i / around;
+    points.push_back({std::cos(turn), std::sin(turn), 0});
+  }
+  const Neighbours neighbours = find_neighbours(points, 40, {});
+  const auto frames = fit_frames(points, neighbours, {});
+  Complex complex(points, frames);
+  for (Index i = 0; i < around; ++i) complex.add({0, 1 + i, 1 + (i + 1) % around});
+  const StarLevels levels(complex, {});
+  CHECK(levels.sum(std::array<Index, 2>{1, 2}).count == 4);
+  CHECK(levels.sum(std::array<Index, 2>{0, 1}).count > StarLevels::most);
+  LocalSizes sizes(complex, neighbours);
+  sizes.find_limits(0.1, {});
+  CHECK(sizes.may_exceed(0));  // its corner in the middle has no limit
+}
+
+TEST_CASE("limits never hide a triangle that is larger than usual, and tell most of the others") {
   const auto points = random_sheet(3000);
   const Neighbours neighbours = find_neighbours(points, 40, {});
   const auto frames = fit_frames(points, neighbours, {});
-  const Complex complex = surface_of(points, neighbours, frames);
+  Complex complex = surface_of(points, neighbours, frames);
   LocalSizes sizes(complex, neighbours);
-  sizes.find_bounds([](Index v) { return v % 50 != 0; }, {});
-  int hidden = 0, larger = 0, left = 0;
-  for (Index t = 0; t < complex.size(); ++t) {
-    const bool exceeds = sizes.log_ratio(complex.triangle(t)) > 0.1 + sizes.spread(complex.triangle(t));
-    hidden += exceeds && !sizes.may_exceed(t, 0.1);
-    larger += exceeds;
-    left += sizes.may_exceed(t, 0.1);
+  for (const double margin : {0.0, 0.1, 0.4}) {
+    sizes.find_limits(margin, {});
+    int hidden = 0, larger = 0, left = 0;
+    for (Index t = 0; t < complex.size(); ++t) {
+      const bool exceeds = sizes.log_ratio(complex.triangle(t)) > margin + sizes.spread(complex.triangle(t));
+      hidden += exceeds && !sizes.may_exceed(t);
+      larger += exceeds;
+      left += sizes.may_exceed(t);
+    }
+    CHECK(hidden == 0);
+    CHECK(larger > 20);
+    CHECK(left < complex.size() / 5 + larger);
   }
-  CHECK(hidden == 0);
-  CHECK(larger > 20);
-  CHECK(left < complex.size() / 4);
+}
+
+TEST_CASE("limits follow the triangles that change") {
+  const auto points = random_sheet(3000);
+  const Neighbours neighbours = find_neighbours(points, 40, {});
+  const auto frames = fit_frames(points, neighbours, {});
+  Complex complex = surface_of(points, neighbours, frames);
+  LocalSizes sizes(complex, neighbours);
+  sizes.find_limits(0.1, {});
+  // Most of the larger triangles of one half go, so that the others are larger than what is usual there.
+  std::vector<std::uint8_t> kept(complex.size(), 1), changed(points.size(), 0);
+  for (Index t = 0; t < complex.size(); ++t) {
+    const Triangle& x = complex.triangle(t);
+    if (points[x[0]].x > 0.5 || complex.radius(t) < 0.009 || t % 16 == 0) continue;
+    kept[t] = 0;
+    for (const Index v : x) changed[v] = 1;
+  }
+  complex.keep_only(kept);
+  const auto hidden = [&] {
+    LocalSizes fresh(complex, neighbours);
+    int count = 0;
+    for (Index t = 0; t < complex.size(); ++t) {
+      const Triangle& x = complex.triangle(t);
+      count += fresh.log_ratio(x) > 0.1 + fresh.spread(x) && !sizes.may_exceed(t);
+    }
+    return count;
+  };
+  CHECK(hidden() > 0);
+  sizes.forget(changed, {});
+  CHECK(hidden() == 0);
+  CHECK(differences(complex, neighbours, sizes) == 0);
 }

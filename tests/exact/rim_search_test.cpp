@@ -44,7 +44,7 @@ std::size_t left_out(std::uint8_t mark) {
   const Complex complex = propose_surface(holed.points, holed.frames, stars, holed.spacing, 4, {});
   LocalSizes sizes(complex, holed.neighbours);
   const std::vector<std::uint8_t> barred(holed.points.size(), mark);
-  const RimSearchResult found = search_rim(complex, sizes, barred, {}, {}, {});
+  const RimSearchResult found = RimSearch(complex, sizes, barred, {}, {}).find({});
   return static_cast<std::size_t>(std::count(found.kept.begin(), found.kept.end(), 0));
 }
 
@@ -54,4 +54,26 @@ TEST_CASE("what is plainly too large is doubted at a gap, but not at one where t
   CHECK(left_out(0) > 0);
   CHECK(left_out(at_gap) > 0);
   CHECK(left_out(at_fold) == 0);
+}
+
+TEST_CASE("a second search takes over what no even rim touches, and finds the rest as the first would") {
+  const Holed holed;
+  const Stars stars = find_stars(holed.points, holed.neighbours, holed.spacing, holed.frames, {});
+  const Complex complex = propose_surface(holed.points, holed.frames, stars, holed.spacing, 4, {});
+  LocalSizes sizes(complex, holed.neighbours);
+  const Run run;
+  const RimSearch search(complex, sizes, std::vector<std::uint8_t>(holed.points.size(), 0), {}, run);
+  const Kept found = search.find({}).kept;
+  const std::vector<double> uneven(holed.points.size(), 0), even(holed.points.size(), 1);
+  Kept other = found;
+  std::size_t turned = 0;
+  for (Index t = 0; t < complex.size(); ++t) {
+    if (found[t]) continue;
+    other[t] = 1;
+    ++turned;
+  }
+  REQUIRE(turned > 0);
+  CHECK(search.find_again(uneven, other).kept == other);
+  CHECK(search.find_again(even, other).kept == search.find(even).kept);
+  CHECK(search.find(uneven).kept == found);
 }
