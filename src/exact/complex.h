@@ -76,9 +76,11 @@ class Complex {
   Index across(Index triangle, Index a, Index b) const { return beside_[triangle][edge_of(triangle, a, b)]; }
   // The same for the edge that leaves its corner i, in {0, 1, 2}.
   Index across(Index triangle, int i) const { return beside_[triangle][i]; }
+  // The same for all three.
+  const std::array<Index, 3>& beside(Index triangle) const { return beside_[triangle]; }
   bool is_at_rim(Index triangle) const {
     const auto& beside = beside_[triangle];
-    return beside[0] == none || beside[1] == none || beside[2] == none;
+    return (beside[0] == none) | (beside[1] == none) | (beside[2] == none);
   }
   // The vertex of the triangle that is neither a nor b.
   Index apex(Index triangle, Index a, Index b) const {
@@ -88,6 +90,13 @@ class Complex {
   void flip(Index t) {
     std::swap(triangles_[t][1], triangles_[t][2]);
     std::swap(beside_[t][0], beside_[t][2]);
+  }
+  // Without a branch, which would be guessed wrongly where half of many are flipped.
+  void flip_if(Index t, bool wanted) {
+    Triangle& x = triangles_[t];
+    std::array<Index, 3>& beside = beside_[t];
+    x = {x[0], x[1 + wanted], x[2 - wanted]};
+    beside = {beside[2 * wanted], beside[1], beside[2 - 2 * wanted]};
   }
 
  private:

@@ -58,8 +58,11 @@ std::vector<std::vector<Index>> walk_rims(const Complex& complex, const Kept& ke
   };
   const auto sides =
       parallel_gather<Side>(complex.size(), Stage::Loops, run, [&](Index t, std::vector<Side>& found) {
-        for (int i = 0; kept[t] && i < 3; ++i) {
-          if (if_kept(kept, complex.across(t, i)) == none) found.push_back({t, i});
+        if (!kept[t]) return;
+        const std::array<Index, 3>& beside = complex.beside(t);
+        const bool is_inside = !complex.is_at_rim(t) && (kept[beside[0]] & kept[beside[1]] & kept[beside[2]]);
+        for (int i = 0; !is_inside && i < 3; ++i) {
+          if (if_kept(kept, beside[i]) == none) found.push_back({t, i});
         }
       });
   std::vector<std::uint8_t> seen(complex.size(), 0);  // one bit per edge of a triangle

@@ -4,10 +4,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <tuple>
-#include <unordered_map>
 
 #include "exact/odds.h"
 #include "exact/weave.h"
@@ -49,6 +51,8 @@ class Curve {
   // they are too few.
   bool fit(const std::vector<Bead>& beads, double period, double window) {
     period_ = period;
+    bead_spacing_.clear();
+    for (const Bead& bead : beads) bead_spacing_.push_back(spacing_around(bead.point));
     stations_.assign(static_cast<std::size_t>(std::lround(2 * period)), {});
     std::atomic<bool> enough = true;
     parallel_slices(
@@ -64,8 +68,9 @@ class Curve {
 
   double period() const { return period_; }
   std::ptrdiff_t size() const { return static_cast<std::ptrdiff_t>(stations_.size()); }
+  // For numbers that are once around off at most.
   std::size_t wrap(std::ptrdiff_t i) const {
-    return static_cast<std::size_t>((i % size() + size()) % size());
+    return static_cast<std::size_t>(i < 0 ? i + size() : i < size() ? i : i - size());
   }
   const Station& station(std::size_t i) const { return stations_[i]; }
   double t_of(std::size_t i) const { return period_ * static_cast<double>(i) / static_cast<double>(size()); }
@@ -136,7 +141,8 @@ class Curve {
     Point normal;
     double spacing = 0, sum = 0;
     int count = 0;
-    const auto take = [&](const Bead& bead) {
+    const auto take = [&](std::size_t i) {
+      const Bead& bead = beads[i];
       const double dt = std::remainder(bead.t - t, period_), far = std::abs(dt) / window;
       if (far >= 1) return false;
       const double weight = std::pow(1 - far * far * far, 3);
@@ -145,18 +151,20 @@ class Curve {
       squares += weight * row * row.transpose();
       right += weight * row * Eigen::RowVector3d(p.x, p.y, p.z);
       normal = normal + weight * bead.normal;
-      spacing += weight * spacing_around(bead.point);
+      spacing += weight * bead_spacing_[i];
       sum += weight;
       ++count;
       return true;
     };
     const auto n = static_cast<std::ptrdiff_t>(beads.size());
-    const auto bead_at = [&](std::ptrdiff_t k) -> const Bead& { return beads[(k % n + n) % n]; };
+    const auto around = [&](std::ptrdiff_t k) {
+      return static_cast<std::size_t>(k < 0 ? k + n : k < n ? k : k - n);
+    };
     const auto first = std::lower_bound(beads.begin(), beads.end(), t,
                                         [](const Bead& bead, double at) { return bead.t < at; }) -
                        beads.begin();
-    for (std::ptrdiff_t k = first; k < first + n && take(bead_at(k));) ++k;
-    for (std::ptrdiff_t k = first - 1; k > first - n && take(bead_at(k));) --k;
+    for (std::ptrdiff_t k = first; k < first + n && take(around(k));) ++k;
+    for (std::ptrdiff_t k = first - 1; k > first - n && take(around(k));) --k;
     if (count < 4) return false;
     const Eigen::Matrix3d fit = squares.ldlt().solve(right);
     const Point along{fit(1, 0), fit(1, 1), fit(1, 2)};
@@ -183,6 +191,7 @@ class Curve {
   bool woven_;
   const Run& run_;
   std::vector<Station> stations_;
+  std::vector<double> bead_spacing_;  // around each of the beads
   double period_ = 0;
 };
 
@@ -193,6 +202,30 @@ struct Place {
   std::size_t station = 0;
   double squared_distance = infinite;
   Point normal = {};
+};
+
+// Numbers points in the order in which they are asked for first. An open hash table.
+class PlaceNumbers {
+ public:
+  explicit PlaceNumbers(std::size_t most_asked)
+      : shift_(32 - std::bit_width(most_asked)), slots_(std::size_t{1} << (32 - shift_), {none, 0}) {}
+
+  std::uint32_t of(Index point) {
+    std::size_t at = static_cast<std::uint32_t>(point) * 2654435769u >> shift_;
+    while (slots_[at].point != point && slots_[at].point != none) at = at + 1 < slots_.size() ? at + 1 : 0;
+    if (slots_[at].point == none) slots_[at] = {point, count_++};
+    return slots_[at].number;
+  }
+
+ private:
+  struct Slot {
+    Index point;
+    std::uint32_t number;
+  };
+
+  int shift_;
+  std::vector<Slot> slots_;
+  std::uint32_t count_ = 0;
 };
 
 // The points around the beads, from the outermost inwards.
@@ -247,37 +280,40 @@ class Places {
  private:
   // Finds the places of the beads and of their neighbours.
   void look_around(const std::vector<Bead>& beads, const Neighbours& neighbours, const Run& run) {
-    std::unordered_map<Index, std::size_t> known;  // position in found_
-    std::vector<std::vector<double>> about;        // the t of each bead that a place is a neighbour of
-    const auto ask = [&](Index point, double t) {
-      const auto [at, is_new] = known.try_emplace(point, found_.size());
-      if (is_new) {
-        found_.push_back({point});
-        about.emplace_back();
-      }
-      about[at->second].push_back(t);
+    const std::size_t in_list = 1 + static_cast<std::size_t>(neighbours.k);
+    PlaceNumbers numbers(beads.size() * in_list);
+    std::vector<std::uint32_t> asked;  // the place of each bead and of its neighbours, bead after bead
+    asked.reserve(beads.size() * in_list);
+    const auto ask = [&](Index point) {
+      asked.push_back(numbers.of(point));
+      if (asked.back() == found_.size()) found_.push_back({point});
     };
     for (const Bead& bead : beads) {
-      ask(bead.point, bead.t);
-      for (const Index v : neighbours.of(bead.point)) ask(v, bead.t);
+      ask(bead.point);
+      for (const Index v : neighbours.of(bead.point)) ask(v);
     }
+    std::vector<std::uint32_t> start(found_.size() + 2, 0);  // of the places, in `about`
+    for (const std::uint32_t place : asked) ++start[place + 2];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<double> about(asked.size());  // the t of each bead that a place is a neighbour of
+    for (std::size_t i = 0; i < asked.size(); ++i) about[start[asked[i] + 1]++] = beads[i / in_list].t;
     parallel_slices(
         found_.size(), Stage::Loops, run,
         [&](std::size_t first, std::size_t last) {
           for (std::size_t i = first; i < last; ++i) {
-            look(found_[i], about[i]);
+            look(found_[i], std::span(about).subspan(start[i], start[i + 1] - start[i]));
           }
         },
         places_in_task);
   }
 
   // Seeks the nearest station about each t, in the sheet of the curve.
-  void look(Place& place, const std::vector<double>& about) const {
+  void look(Place& place, std::span<const double> about) const {
     constexpr std::ptrdiff_t reach = 8;  // stations, four spacings
-    std::ptrdiff_t begin = 0, end = 0;   // stations that were looked at: most beads of a place share them
+    const std::ptrdiff_t far = std::min(reach, curve_.size() / 3);
+    std::ptrdiff_t begin = 0, end = 0;  // stations that were looked at: most beads of a place share them
     for (const double t : about) {
       const std::ptrdiff_t middle = std::lround(t / curve_.period() * static_cast<double>(curve_.size()));
-      const std::ptrdiff_t far = std::min(reach, curve_.size() / 3);
       const std::ptrdiff_t from = middle - far, to = middle + far + 1;
       if (from > end || to < begin) begin = end = from;  // elsewhere
       look(place, from, std::min(to, begin));

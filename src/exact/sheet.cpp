@@ -2,22 +2,24 @@
 #include "exact/sheet.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "parallel.h"
+#include "rimline/unfilled.h"
 
 namespace rimline::exact {
 namespace {
 
 constexpr std::size_t block_size = 8192;  // triangles that one task walks
 
-// Without branches, which would be guessed wrongly half of the time.
+// Whether a triangle with corners a and b runs from a to b. Without branches, which would be guessed wrongly
+// half of the time.
 bool has_directed_edge(const Triangle& t, Index a, Index b) {
-  const bool at0 = (t[0] == a) & (t[1] == b), at1 = (t[1] == a) & (t[2] == b),
-             at2 = (t[2] == a) & (t[0] == b);
-  return at0 | at1 | at2;
+  const int next = (t[0] == a) + 2 * (t[1] == a);
+  return t[next] == b;
 }
 
 // The part of a component that lies in one block of triangles, or a piece of it.
@@ -45,8 +47,8 @@ class Blocks {
   Blocks(const Complex& complex, const Kept& kept, const Run& run)
       : complex_(complex),
         kept_(kept),
-        piece_of_(complex.size(), none),
-        turned_(complex.size(), 0),
+        piece_of_(complex.size()),
+        turned_(complex.size()),
         blocks_((static_cast<std::size_t>(complex.size()) + block_size - 1) / block_size) {
     parallel_tasks(blocks_.size(), Stage::Loops, run, [&](std::size_t b) { walk(b); });
     run.check_cancel();
@@ -65,49 +67,82 @@ class Blocks {
   bool turned(Index t) const { return turned_[t] != 0; }
 
  private:
+  // What is known of a triangle on the walk.
+  using State = std::uint16_t;  // not of bytes, which might be any other thing for all the compiler knows
+  using States = std::array<State, block_size>;
+  static constexpr State is_turned = 1, is_reached = 2, is_out = 4;
+
   void walk(std::size_t b) {
     const Index begin = static_cast<Index>(b * block_size);
     const Index end = static_cast<Index>(std::min<std::size_t>(complex_.size(), (b + 1) * block_size));
-    std::vector<Index> members;
+    States state;
     for (Index t = begin; t < end; ++t) {
-      if (!kept_[t] || piece_of_[t] != none) continue;
-      blocks_[b].pieces.push_back({t});
-      walk_piece(blocks_[b], static_cast<Index>(blocks_[b].pieces.size()) - 1, begin, end, members);
+      state[t - begin] = kept_[t] ? 0 : is_out;
+      piece_of_[t] = none;
     }
-  }
-
-  void walk_piece(Block& block, Index number, Index begin, Index end, std::vector<Index>& members) {
-    Piece& piece = block.pieces[number];
-    members.assign(1, piece.first);
-    piece_of_[piece.first] = number;
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      const Index t = members[i];
+    std::vector<Index> members(end - begin + 1);  // one more is written than there are
+    std::vector<Piece>& pieces = blocks_[b].pieces;
+    for (Index t = begin; t < end; ++t) {
+      if (state[t - begin] != 0) continue;
+      pieces.push_back({t});
+      walk_piece(blocks_[b], {begin, end}, state, members);
+    }
+    for (Index t = begin; t < end; ++t) turned_[t] = (state[t - begin] & is_turned) != 0;
+    const Points p = complex_.points();
+    for (Index t = begin; t < end; ++t) {
+      if (piece_of_[t] == none) continue;
+      Piece& piece = pieces[piece_of_[t]];
       const Triangle& x = complex_.triangle(t);
-      for (int k = 0; k < 3; ++k) {
-        const Index other = complex_.across(t, k);
-        if (other == none || !kept_[other]) continue;
-        const bool agrees = !has_directed_edge(complex_.triangle(other), x[k], x[(k + 1) % 3]);
-        if (other < begin || other >= end) {
-          if (t < other) block.seams.push_back({t, other, agrees});
-        } else if (piece_of_[other] == none) {
-          piece_of_[other] = number;
-          turned_[other] = turned_[t] ^ !agrees;
-          members.push_back(other);
-        } else if ((turned_[other] != turned_[t]) == agrees) {
-          piece.orientable = false;
-        }
-      }
-      const Points p = complex_.points();
       const Point normal = cross(p[x[1]] - p[x[0]], p[x[2]] - p[x[0]]);
-      piece.normal = piece.normal + (turned_[t] ? -1.0 : 1.0) * normal;
+      piece.normal = piece.normal + (1.0 - 2.0 * turned_[t]) * normal;
       piece.area += norm(normal);
     }
   }
 
+  // Whether both run through the edge that leaves corner k of the first in opposite ways.
+  bool agree(Index t, int k, Index other) const {
+    const Triangle& x = complex_.triangle(t);
+    return !has_directed_edge(complex_.triangle(other), x[k], x[(k + 1) % 3]);
+  }
+
+  // Hardly branches, for each triangle is reached from two or three others in no order that could be guessed.
+  void walk_piece(Block& block, std::pair<Index, Index> range, States& state,
+                  std::vector<Index>& members) {
+    const auto [begin, end] = range;
+    const auto number = static_cast<Index>(block.pieces.size()) - 1;
+    Piece& piece = block.pieces.back();
+    members[0] = piece.first;
+    state[piece.first - begin] = is_reached;
+    std::size_t count = 1;
+    State differ = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Index t = members[i];
+      const State own = state[t - begin] & is_turned;
+      piece_of_[t] = number;
+      for (int k = 0; k < 3; ++k) {
+        const Index other = complex_.across(t, k);
+        if (other < begin || other >= end) {  // none is less
+          if (t < other && kept_[other]) block.seams.push_back({t, other, agree(t, k, other)});
+          continue;
+        }
+        const State before = state[other - begin];
+        if (before == is_out) continue;
+        const State as_here = is_reached | (own ^ !agree(t, k, other));
+        const bool is_new = before == 0;
+        const State now = is_new ? as_here : before;
+        state[other - begin] = now;
+        differ |= now ^ as_here;
+        members[count] = other;
+        count += is_new;
+      }
+    }
+    piece.orientable = differ == 0;
+  }
+
   const Complex& complex_;
   const Kept& kept_;
-  std::vector<Index> piece_of_;  // of each triangle, in its block
-  std::vector<std::uint8_t> turned_;
+  UnfilledVector<Index> piece_of_;  // of each triangle, in its block; none where it is not kept
+  UnfilledVector<std::uint8_t> turned_;
   std::vector<Block> blocks_;
   std::vector<Index> start_;  // of the pieces of each block
 };
@@ -240,7 +275,7 @@ Sheets orient_sheets(Complex& complex, const Kept& kept, const Run& run) {
     const Index own = blocks.piece(t);
     if (own == none || !sheets.orientable[sheet_of[own]]) return;
     sheets.of_triangle[t] = sheet_of[own];
-    if (turn[own] != static_cast<std::uint8_t>(blocks.turned(t))) complex.flip(t);
+    complex.flip_if(t, (turn[own] != 0) != blocks.turned(t));
   });
   for (Index s = 0; s < sheets.count(); ++s) {
     if (!sheets.orientable[s]) orient_one_sided(complex, kept, sums[s].first, s, sheets.of_triangle);
