@@ -13,7 +13,6 @@
 #include "first_touch.h"
 #include "parallel.h"
 #include "rimline/unfilled.h"
-#include "union_find.h"
 
 namespace rimline {
 namespace {
@@ -116,9 +115,22 @@ void take_distinct(const UnfilledVector<Place>& places, Points input, Arrangemen
   if (!all_distinct) leave_out(result, result.duplicates, repeats);
 }
 
-bool are_mutual(const Neighbours& neighbours, Index a, Index b) {
-  const auto list = neighbours.of(b);
-  return std::find(list.begin(), list.end(), a) != list.end();
+template <class List>
+bool contains(const List& list, Index id) {
+  return std::find(list.begin(), list.end(), id) != list.end();
+}
+
+bool are_mutual(const Neighbours& neighbours, Index a, Index b) { return contains(neighbours.of(b), a); }
+
+// Whether mutual neighbours join a point to `enough` points, itself one of them.
+bool reaches(const Neighbours& neighbours, Index point, int enough) {
+  std::vector<Index> group{point};
+  for (std::size_t at = 0; at < group.size() && group.size() < static_cast<std::size_t>(enough); ++at) {
+    for (const Index j : neighbours.of(group[at])) {
+      if (!contains(group, j) && are_mutual(neighbours, group[at], j)) group.push_back(j);
+    }
+  }
+  return group.size() >= static_cast<std::size_t>(enough);
 }
 
 }  // namespace
@@ -154,52 +166,28 @@ Arrangement arrange(Points input, const Run& run) {
 
 bool leave_out_stray(Arrangement& arrangement, const Neighbours& neighbours, const Run& run,
                      int least_group) {
-  const Index count = neighbours.size();
-  UnionFind groups(count);
-  const auto join_mutual = [&](Index i, int nearest) {
-    for (const Index j : neighbours.of(i, nearest)) {
-      if (groups.find(i) != groups.find(j) && are_mutual(neighbours, i, j)) groups.join(i, j);
-    }
-  };
-  // A few neighbours gather nearly all points into large groups. Whatever else could make a small group grow
-  // starts at one of its points, as mutual pairs are in both lists. Blocks of points may gather at the same
-  // time, as their groups share no point; then come the few pairs of points of two blocks.
-  const int few = std::min(3, neighbours.k);
+  const auto count = static_cast<std::size_t>(neighbours.size());
+  if (count < static_cast<std::size_t>(least_group)) return false;
   constexpr std::size_t block = 16384;
-  struct Pair {
-    Index a, b;
-  };
-  const auto points = static_cast<std::size_t>(count);
-  std::vector<std::vector<Pair>> across((points + block - 1) / block);
-  parallel_tasks(across.size(), Stage::Neighbours, run, [&](std::size_t k) {
-    const Index begin = static_cast<Index>(k * block);
-    const Index end = static_cast<Index>(std::min(points, (k + 1) * block));
+  std::vector<char> is_large(count);  // a byte each: blocks are written at the same time
+  std::atomic<bool> all_large = true;
+  parallel_tasks((count + block - 1) / block, Stage::Neighbours, run, [&](std::size_t k) {
+    const auto begin = static_cast<Index>(k * block);
+    const auto end = static_cast<Index>(std::min(count, (k + 1) * block));
     for (Index i = begin; i < end; ++i) {
-      for (const Index j : neighbours.of(i, few)) {
-        if (j < begin || j >= end) {
-          across[k].push_back({i, j});
-        } else if (groups.find(i) != groups.find(j) && are_mutual(neighbours, i, j)) {
-          groups.join(i, j);
-        }
-      }
+      // Most points have a mutual neighbour that came before them.
+      const auto list = neighbours.of(i);
+      is_large[i] = std::any_of(list.begin(), list.end(), [&](Index j) {
+        return j >= begin && j < i && is_large[j] && are_mutual(neighbours, i, j);
+      });
+      if (!is_large[i]) is_large[i] = reaches(neighbours, i, least_group);
+      if (!is_large[i]) all_large = false;
     }
   });
   run.check_cancel();
-  for (const auto& pairs : across) {
-    for (const auto& [i, j] : pairs) {
-      if (groups.find(i) != groups.find(j) && are_mutual(neighbours, i, j)) groups.join(i, j);
-    }
-  }
-  bool all_large = true;
-  for (Index i = 0; i < count; ++i) {
-    if (groups.size_of(i) >= least_group) continue;
-    all_large = false;
-    join_mutual(i, neighbours.k);
-  }
-  if (all_large || count < least_group) return false;
-  leave_out(arrangement, arrangement.stray,
-            [&](std::size_t i) { return groups.size_of(static_cast<Index>(i)) < least_group; });
-  return arrangement.points.size() < points;
+  if (all_large) return false;
+  leave_out(arrangement, arrangement.stray, [&](std::size_t i) { return !is_large[i]; });
+  return true;
 }
 
 }  // namespace rimline

@@ -2,17 +2,34 @@
 #include "rimline/neighbours.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 
+#include "lanes.h"
 #include "neighbours/kd_tree.h"
 #include "neighbours/leaf_search.h"
 #include "parallel.h"
+#include "wide.h"
 
 namespace rimline {
 namespace {
 
 constexpr int points_in_leaf = 32;          // at most; measured
 constexpr std::size_t leaves_in_task = 64;  // about a thousand points: long enough to hide its cost
+constexpr int most_averaged = 6;            // distances to neighbours, for the spacing
+
+// The mean of `count` >= 1 square roots in each lane.
+RIMLINE_WIDE void average_roots(const Lanes* squared, int count, Lanes& mean) {
+  for (int l = 0; l < lanes; ++l) {
+    double sum = 0;
+    int j = 0;
+    do {
+      sum += std::sqrt(squared[j++][l]);
+    } while (j < count);
+    mean[l] = sum / count;
+  }
+}
 
 }  // namespace
 
@@ -37,12 +54,21 @@ Neighbours find_neighbours(Points points, int k, const Run& run) {
 }
 
 std::vector<double> local_spacing(Points points, const Neighbours& neighbours, const Run& run) {
-  const int nearest = std::min(6, neighbours.k);
+  const int nearest = std::min(most_averaged, neighbours.k);
   std::vector<double> spacing(neighbours.size());
-  parallel_for_each(spacing.size(), Stage::Neighbours, run, [&](Index i) {
-    double sum = 0;
-    for (int j = 0; j < nearest; ++j) sum += distance_to(points, neighbours, i, j);
-    spacing[i] = sum / nearest;
+  parallel_slices(spacing.size(), Stage::Neighbours, run, [&](std::size_t begin, std::size_t end) {
+    std::array<Lanes, most_averaged> squared{};
+    Lanes mean;
+    for (std::size_t first = begin; first < end; first += lanes) {
+      const int count = static_cast<int>(std::min<std::size_t>(lanes, end - first));
+      for (int l = 0; l < count; ++l) {
+        const auto i = static_cast<Index>(first + l);
+        const auto ids = neighbours.of(i, nearest);
+        for (int j = 0; j < nearest; ++j) squared[j][l] = squared_distance(points[i], points[ids[j]]);
+      }
+      average_roots(squared.data(), nearest, mean);
+      std::copy(mean.number, mean.number + count, &spacing[first]);
+    }
   });
   return spacing;
 }

@@ -61,5 +61,9 @@ struct BoundarySurvey {
 // Loop::fitness is eq. (3) on the log score -log(1 - probability), with `length_exponent` as its exponent.
 BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                                 const ExactLoopOptions& options, double length_exponent, const Run& run);
+// The same for who has the local_spacing() of the points.
+BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, std::vector<double> spacing,
+                                const BoundaryScores& scores, const ExactLoopOptions& options,
+                                double length_exponent, const Run& run);
 
 }  // namespace rimline

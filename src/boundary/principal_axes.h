@@ -2,6 +2,7 @@
 // Eigenvalues and eigenvectors of a symmetric 3x3 matrix, without iteration over rotations or trigonometry.
 #pragma once
 
+#include "lanes.h"
 #include "rimline/points.h"
 
 namespace rimline {
@@ -20,5 +21,20 @@ struct PrincipalAxes {
 // to the largest eigenvalue, whatever the eigenvalues. Only + - * / and square roots: the same on every
 // machine.  [ours; the order of steps after Eberly, A Robust Eigensolver for 3x3 Symmetric Matrices, 2014]
 PrincipalAxes principal_axes(const Covariance& m);
+
+// The same of a matrix in each lane: the same bytes.
+struct CovarianceLanes {
+  Lanes xx, xy, xz, yy, yz, zz;
+};
+struct PrincipalAxesLanes {
+  Lanes lambda[3];
+  Lanes x[3], y[3], z[3];  // of v
+
+  PrincipalAxes of(int l) const {
+    return {{lambda[0][l], lambda[1][l], lambda[2][l]},
+            {{x[0][l], y[0][l], z[0][l]}, {x[1][l], y[1][l], z[1][l]}, {x[2][l], y[2][l], z[2][l]}}};
+  }
+};
+void principal_axes(const CovarianceLanes& m, PrincipalAxesLanes& axes);
 
 }  // namespace rimline

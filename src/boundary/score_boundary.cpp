@@ -24,10 +24,10 @@ std::vector<double> log_score_table(int k, int sectors) {
   return table;
 }
 
-std::size_t sum_of_squares(const std::vector<int>& counts) {
-  std::size_t sum = 0;
-  for (const int count : counts) sum += static_cast<std::size_t>(count) * count;
-  return sum;
+std::size_t sum_of_squares(const std::vector<Lanes>& counts, int l) {
+  double sum = 0;
+  for (const Lanes& count : counts) sum += count[l] * count[l];
+  return static_cast<std::size_t>(sum);
 }
 
 }  // namespace
@@ -47,16 +47,19 @@ BoundaryScores score_boundary(Points points, const Neighbours& neighbours, const
   result.candidate.resize(points.size());
   result.delta.resize(points.size());
   parallel_slices(points.size(), Stage::Boundary, run, [&](std::size_t begin, std::size_t end) {
-    Neighbourhood neighbourhood(k);
-    std::vector<int> counts(options.sectors);
-    for (Index i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i) {
-      neighbourhood.gather(points, i, neighbours.of(i, k));
-      const PrincipalAxes axes = neighbourhood.axes();
-      neighbourhood.flatten(axes);
-      sectors.count(neighbourhood.u(), neighbourhood.v(), counts);
-      result.log_score[i] = log_score_of[sum_of_squares(counts)];
-      result.candidate[i] = result.log_score[i] >= log_significance;
-      result.delta[i] = static_cast<float>(delta(axes));
+    Neighbourhoods neighbourhoods(k);
+    PrincipalAxesLanes axes;
+    std::vector<Lanes> counts(options.sectors);
+    for (auto first = static_cast<Index>(begin); first < static_cast<Index>(end); first += lanes) {
+      neighbourhoods.gather(points, neighbours, first, static_cast<Index>(end));
+      neighbourhoods.find_axes(axes);
+      neighbourhoods.flatten(axes);
+      sectors.count(neighbourhoods.u(), neighbourhoods.v(), counts);
+      for (Index i = first; i < std::min(first + lanes, static_cast<Index>(end)); ++i) {
+        result.log_score[i] = log_score_of[sum_of_squares(counts, i - first)];
+        result.candidate[i] = result.log_score[i] >= log_significance;
+        result.delta[i] = static_cast<float>(delta(axes.of(i - first)));
+      }
     }
   });
   return result;

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "boundary/sectors.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
+#include "wide.h"
+
 namespace rimline {
 namespace {
-
-// Grows from 0 to 4 as the angle grows from 0 to a full turn: 1, 2, 3 at the quarters, and on a square rather
-// than a circle in between. Quadrants are looked up: their order is random, and would mislead a branch.
-double stand_in(double u, double v) {
-  constexpr double base[] = {0, 4, 2, 2}, sign[] = {1, 1, -1, -1};
-  const int quadrant = 2 * (u < 0) + (v < 0);
-  const double size = std::max(std::abs(u) + std::abs(v), std::numeric_limits<double>::denorm_min());
-  return base[quadrant] + sign[quadrant] * (v / size);
-}
 
 // The direction at `part` of `whole` of a turn. By symmetry all comes from the first eighth of the turn, so
 // that quarters lie on the axes and eighths on the diagonals exactly.
@@ -32,36 +23,68 @@ UV direction(int part, int whole) {
   return d;
 }
 
+// The points on the origin, and those at half a turn or beyond it.
+RIMLINE_WIDE void count_halves(const Lanes* u, const Lanes* v, std::size_t count, Lanes& at_origin,
+                               Lanes& below) {
+  for (int l = 0; l < lanes; ++l) {
+    double origin = 0, half = 0;
+    std::size_t j = 0;
+    do {
+      const double is_zero = u[j][l] == 0 ? 1 : 0, is_left = u[j][l] < 0 ? 1 : 0;
+      const double is_half = v[j][l] == 0 ? is_left : 0;
+      origin += v[j][l] == 0 ? is_zero : 0;
+      half += v[j][l] < 0 ? 1 : is_half;
+      ++j;
+    } while (j < count);
+    at_origin[l] = origin;
+    below[l] = half;
+  }
+}
+
+// The points whose angle is that of a direction above the first axis or more, and those for which it is that of
+// the opposite direction or more. Points on the origin are counted, as none of their angle should be.
+RIMLINE_WIDE void count_beyond(const Lanes* u, const Lanes* v, std::size_t count, UV direction, Lanes& beyond,
+                               Lanes& beyond_opposite) {
+  for (int l = 0; l < lanes; ++l) {
+    double first = 0, second = 0;
+    std::size_t j = 0;
+    do {
+      const double left = direction.u * v[j][l], right = direction.v * u[j][l];
+      const double is_beyond = left >= right ? 1 : 0, is_beyond_opposite = left <= right ? 1 : 0;
+      first += v[j][l] < 0 ? 1 : is_beyond;
+      second += v[j][l] < 0 ? is_beyond_opposite : 0;
+      ++j;
+    } while (j < count);
+    beyond[l] = first;
+    beyond_opposite[l] = second;
+  }
+}
+
 }  // namespace
 
-Sectors::Sectors(int count) : cells_(8 * static_cast<std::size_t>(count)) {
-  const double cells_in_quarter = 2.0 * count;
-  constexpr double rounding = 1e-12;  // an edge this near to a cell's end is in the next one too
-  const auto cell_at = [&](double where) {
-    return std::min(static_cast<std::size_t>(where * cells_in_quarter), cells_.size() - 1);
-  };
-  std::size_t done = 0;
-  for (int sector = 1; sector < count; ++sector) {
-    const UV edge = direction(sector, count);
-    const double where = stand_in(edge.u, edge.v);
-    const std::size_t first = cell_at(where - rounding), last = cell_at(where + rounding);
-    for (; done < first; ++done) cells_[done] = {{sector - 1, sector - 1}, {}};
-    for (; done <= last; ++done) cells_[done] = {{sector - 1, sector}, edge};
+Sectors::Sectors(int count) {
+  const bool even = count % 2 == 0;
+  for (int s = 1; 2 * s < count; ++s) lines_.push_back({direction(s, count), s, even ? s + count / 2 : 0});
+  for (int s = count / 2 + 1; !even && s < count; ++s) {
+    const UV d = direction(s, count);
+    lines_.push_back({{-d.u, -d.v}, 0, s});
   }
-  for (; done < cells_.size(); ++done) cells_[done] = {{count - 1, count - 1}, {}};
 }
 
-int Sectors::of(double u, double v) const {
-  const double last = static_cast<double>(cells_.size() - 1);
-  const double at = stand_in(u, v) * (0.25 * static_cast<double>(cells_.size()));
-  // The stand-in of a tiny negative angle rounds to a full turn; what is no number is put there too.
-  const Cell& cell = cells_[static_cast<std::size_t>(at < last ? at : last)];
-  return cell.sector[cell.edge.u * v >= cell.edge.v * u];
-}
-
-void Sectors::count(std::span<const double> u, std::span<const double> v, std::span<int> counts) const {
-  std::fill(counts.begin(), counts.end(), 0);
-  for (std::size_t i = 0; i < u.size(); ++i) ++counts[of(u[i], v[i])];
+void Sectors::count(std::span<const Lanes> u, std::span<const Lanes> v, std::span<Lanes> counts) const {
+  // First the points in a sector or in one after it; a place for those of no sector takes what is not asked for.
+  Lanes at_origin, half, unasked;
+  count_halves(u.data(), v.data(), u.size(), at_origin, half);
+  for (double& all : counts[0].number) all = static_cast<double>(u.size());
+  if (counts.size() % 2 == 0) counts[counts.size() / 2] = half;
+  for (const auto& [direction, sector, opposite] : lines_) {
+    count_beyond(u.data(), v.data(), u.size(), direction, sector ? counts[sector] : unasked,
+                 opposite ? counts[opposite] : unasked);
+    for (int l = 0; sector && l < lanes; ++l) counts[sector][l] -= at_origin[l];
+  }
+  for (std::size_t s = 1; s < counts.size(); ++s) {
+    for (int l = 0; l < lanes; ++l) counts[s - 1][l] -= counts[s][l];
+  }
 }
 
 double pearson_statistic(std::span<const int> counts) {

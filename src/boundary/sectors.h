@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "lanes.h"
 #include "rimline/points.h"
 
 namespace rimline {
@@ -15,18 +16,18 @@ class Sectors {
  public:
   explicit Sectors(int count);
 
-  // The number of points (u[i], v[i]) in each sector. `counts` has one entry a sector.
-  void count(std::span<const double> u, std::span<const double> v, std::span<int> counts) const;
-
-  int of(double u, double v) const;
+  // The number of points (u[i], v[i]) in each sector, lane by lane, of at least one point. `counts` has one entry
+  // a sector.
+  void count(std::span<const Lanes> u, std::span<const Lanes> v, std::span<Lanes> counts) const;
 
  private:
-  // The circle in cells by a stand-in for the angle that costs no arctangent. A cell has at most one edge.
-  struct Cell {
-    int sector[2] = {0, 0};  // before and after the edge; the same where the cell has none
-    UV edge;                 // its direction
+  // The line through the origin along an edge, in the direction above the first axis. Where sectors are even in
+  // number both its ends are edges, where they are odd only one. That along the first axis itself is not kept.
+  struct Line {
+    UV direction;
+    int sector = 0, opposite = 0;  // that start at its ends; 0 where there is no edge
   };
-  std::vector<Cell> cells_;
+  std::vector<Line> lines_;
 };
 
 // Pearson's statistic, eq. (1), of the counts.

@@ -541,8 +541,14 @@ class Survey {
 
 BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                                 const ExactLoopOptions& options, double length_exponent, const Run& run) {
+  return find_exact_loops(points, neighbours, local_spacing(points, neighbours, run), scores, options,
+                          length_exponent, run);
+}
+
+BoundarySurvey find_exact_loops(Points points, const Neighbours& neighbours, std::vector<double> spacing,
+                                const BoundaryScores& scores, const ExactLoopOptions& options,
+                                double length_exponent, const Run& run) {
   exact::check(points, options);
-  std::vector<double> spacing = local_spacing(points, neighbours, run);
   const std::optional<exact::Raster> raster = exact::find_raster(points, neighbours, run);
   if (raster) {
     BoundarySurvey found = exact::Survey(points, neighbours, scores, options, length_exponent, {}, raster,

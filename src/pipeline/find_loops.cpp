@@ -63,8 +63,8 @@ void find_all_loops(Work& work) {
     if (work.run.on_progress) work.run.on_progress(progress);
   };
   BoundarySurvey found = translate_errors(work, [&] {
-    return find_exact_loops(work.arrangement.points, work.neighbours, work.scores, work.options.exact,
-                            work.options.loops.length_exponent, run);
+    return find_exact_loops(work.arrangement.points, work.neighbours, work.spacing, work.scores,
+                            work.options.exact, work.options.loops.length_exponent, run);
   });
   work.loops = std::move(found.loops);
   work.probability = std::move(found.probability);

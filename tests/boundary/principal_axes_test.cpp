@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "random.h"
 #include "shapes.h"
@@ -59,6 +60,35 @@ TEST_CASE("close, equal, zero and far apart eigenvalues have vectors as exact as
         for (const double turn : {0.0, 1e-9, 0.1, 0.7, 2.0}) {
           CHECK(error(with_eigenvalues(a, b, c, turn)) < 1e-14);
         }
+      }
+    }
+  }
+}
+
+TEST_CASE("lanes hold the same bytes as one matrix after another, those without and with equal eigenvalues too") {
+  Random random(3);
+  const auto number = [&] { return 2 * random.uniform() - 1; };
+  std::vector<Covariance> matrices{{}, {2, 0, 0, 2, 0, 2}, {1, 0, 0, 1, 0, 0}, {0, 0, 0, 0, 0, 3}};
+  for (const double a : {0.0, 1e-9, 1.0}) {
+    for (const double turn : {0.0, 0.7}) matrices.push_back(with_eigenvalues(a, 1, 1 + a, turn));
+  }
+  while (matrices.size() < 400) {
+    matrices.push_back({number(), number(), number(), number(), number(), number()});
+  }
+  for (std::size_t first = 0; first < matrices.size(); first += lanes) {
+    CovarianceLanes m;
+    for (int l = 0; l < lanes; ++l) {
+      const Covariance& one = matrices[first + l];
+      m.xx[l] = one.xx, m.xy[l] = one.xy, m.xz[l] = one.xz;
+      m.yy[l] = one.yy, m.yz[l] = one.yz, m.zz[l] = one.zz;
+    }
+    PrincipalAxesLanes found;
+    principal_axes(m, found);
+    for (int l = 0; l < lanes; ++l) {
+      const PrincipalAxes alone = principal_axes(matrices[first + l]), in_lane = found.of(l);
+      for (int i = 0; i < 3; ++i) {
+        CHECK(in_lane.lambda[i] == alone.lambda[i]);
+        CHECK(in_lane.v[i] == alone.v[i]);
       }
     }
   }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Eight points side by side, a lane each: what is done to all of them, number by number, is done by vectors of
+// any width with the same bytes as one by one.
+#pragma once
+
+namespace rimline {
+
+inline constexpr int lanes = 8;
+
+// A number of each point; aligned, so that none lies across two cache lines.
+struct alignas(64) Lanes {
+  double number[lanes];
+
+  double& operator[](int l) { return number[l]; }
+  double operator[](int l) const { return number[l]; }
+};
+
+}  // namespace rimline
