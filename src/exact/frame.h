@@ -17,13 +17,11 @@ struct Frame {
   double thickness = 0;  // least over middle eigenvalue of the covariance, in [0, 1]: 0 is flat
 };
 
-// Principal directions of the point and its neighbours. Takes the 12 nearest, and more (up to all that
-// there are) where these lie nearly on a line, as in scan lines whose rows are far apart.
-Frame fit_frame(Points points, const Neighbours& neighbours, Index point);
-
 // Principal directions of the point and the given others.
 Frame fit_frame(Points points, std::span<const Index> others, Index point);
 
+// Of every point and its neighbours. Takes the 12 nearest, and more (up to all that there are) where these lie
+// nearly on a line, as in scan lines whose rows are far apart.
 std::vector<Frame> fit_frames(Points points, const Neighbours& neighbours, const Run& run);
 
 }  // namespace rimline::exact
