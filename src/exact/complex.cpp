@@ -104,25 +104,27 @@ void Complex::keep_only(const std::vector<std::uint8_t>& kept, const Run& run) {
   for (Index t = 0; t < size(); ++t) id[t] = kept[t] ? count++ : none;
   if (count == size()) return;
   const auto renumber = [&](Index t) { return t == none ? none : id[t]; };
-  parallel_for_each(triangles_.size(), Stage::Loops, run, [&](Index t) {
-    for (Index& other : beside_[t]) other = renumber(other);
-  });
   parallel_for_each(stars_.size(), Stage::Loops, run, [&](Index v) {
     Place& place = stars_[v];
     const auto first = at_vertex_.begin() + static_cast<std::ptrdiff_t>(place.first);
     const auto last = std::transform(first, first + place.count, first, renumber);
     place.count = static_cast<std::uint32_t>(std::remove(first, last, none) - first);
   });
-  const auto move_up = [&](auto& items) {
+  const auto move_up = [&](auto& items, const auto& changed) {
     for (std::size_t t = 0; t < items.size(); ++t) {
-      if (id[t] != none) items[id[t]] = items[t];
+      if (id[t] != none) items[id[t]] = changed(items[t]);
     }
     items.resize(count);
   };
+  const auto as_it_is = [](const auto& item) { return item; };
   parallel_tasks(3, Stage::Loops, run, [&](std::size_t k) {
-    if (k == 0) move_up(triangles_);
-    if (k == 1) move_up(beside_);
-    if (k == 2) move_up(radii_);
+    if (k == 0) move_up(triangles_, as_it_is);
+    if (k == 1) {
+      move_up(beside_, [&](const std::array<Index, 3>& beside) {
+        return std::array{renumber(beside[0]), renumber(beside[1]), renumber(beside[2])};
+      });
+    }
+    if (k == 2) move_up(radii_, as_it_is);
   });
   run.check_cancel();
 }

@@ -61,6 +61,7 @@ void GroupSearch::start(const Group& group) {
   }
   now_.assign(size + 2, 1);
   now_[size] = 0;
+  settled_.assign(size, 0);
   stamp_.assign(size, 0);
   epoch_ = 0;
   find_vertices();
@@ -160,10 +161,23 @@ double GroupSearch::flip(std::span<const std::uint32_t> which) {
 
 // Flips the bits, and back again where that makes it worse. Returns the gain.
 double GroupSearch::try_flip(std::span<const std::uint32_t> which) {
+  const bool is_one = which.size() == 1;
+  if (is_one && settled_[which[0]]) return 0;
   const double gain = flip(which);
-  if (gain > least_gain_of_flip) return gain;
+  if (gain > least_gain_of_flip) {
+    for (const std::uint32_t i : which) unsettle(i);
+    return gain;
+  }
   for (const std::uint32_t i : which) turn(i);
+  if (is_one) settled_[which[0]] = 1;
   return 0;
+}
+
+// After the bit was flipped: what the flip of another brings hangs on the bits that share a vertex with it.
+void GroupSearch::unsettle(std::uint32_t i) {
+  for (const std::uint32_t v : bits_[i].corners) {
+    for (const std::uint32_t other : bits_at(vertices_[v])) settled_[other] = 0;
+  }
 }
 
 // A connected set of up to `most` bits around one; those for which take() says yes.
@@ -185,34 +199,26 @@ std::span<const std::uint32_t> GroupSearch::region(std::uint32_t from, std::size
   return region_;
 }
 
+void GroupSearch::set(std::uint32_t i, bool value) {
+  if ((now_[i] != 0) == value) return;
+  turn(i);
+  unsettle(i);
+}
+
 void GroupSearch::load(const Chromosome& genes) {
-  for (std::uint32_t i = 0; i < count(); ++i) {
-    if (now_[i] != genes[i]) turn(i);
-  }
+  for (std::uint32_t i = 0; i < count(); ++i) set(i, genes[i] != 0);
 }
 
 void GroupSearch::load_by_size(double threshold) {
-  for (std::uint32_t i = 0; i < count(); ++i) {
-    if (now_[i] != (doubt_.log_ratio[bits_[i].doubt] <= threshold)) turn(i);
-  }
+  for (std::uint32_t i = 0; i < count(); ++i) set(i, doubt_.log_ratio[bits_[i].doubt] <= threshold);
 }
 
 // Flips bit after bit until none pays.
 void GroupSearch::climb() {
-  settled_.assign(count(), 0);
   double gain = 0, before = -1;
   for (int sweep = 0; sweep < 20 && gain > before; ++sweep) {
     before = gain;
-    for (std::uint32_t i = 0; i < count(); ++i) {
-      if (settled_[i]) continue;
-      const double more = try_flip({&i, 1});
-      gain += more;
-      settled_[i] = more == 0;
-      if (more == 0) continue;
-      for (const std::uint32_t v : bits_[i].corners) {  // these may pay now
-        for (const std::uint32_t other : bits_at(vertices_[v])) settled_[other] = 0;
-      }
-    }
+    for (std::uint32_t i = 0; i < count(); ++i) gain += try_flip({&i, 1});
   }
 }
 
@@ -291,8 +297,7 @@ GroupResult GroupSearch::search(const Group& group, const Random& random) {
 // by.
 double GroupSearch::close_doubtful_holes() {
   double change = 0;
-  std::vector<std::uint8_t>& seen = settled_;
-  seen.assign(count(), 0);
+  std::vector<std::uint8_t> seen(count(), 0);
   for (std::uint32_t i = 0; i < count(); ++i) {
     if (seen[i] || now_[i]) continue;
     const Void hole = void_at(i, seen);

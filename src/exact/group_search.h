@@ -111,6 +111,8 @@ class GroupSearch {
 
   void find_vertices();
   void turn(std::uint32_t bit);
+  void unsettle(std::uint32_t bit);
+  void set(std::uint32_t bit, bool value);
   double cost(std::uint32_t vertex);
   double worth(std::uint32_t bit) const;
   double flip_one(std::uint32_t bit);
@@ -150,7 +152,7 @@ class GroupSearch {
   Chromosome now_;             // the bits; then one that is no triangle, and one that is in no doubt
   std::vector<Member> members_;
   Chromosome start_;                               // of the climb before
-  std::vector<std::uint8_t> settled_;              // bits that are known not to pay
+  std::vector<std::uint8_t> settled_;              // bits whose flip is known not to pay, as all bits are now
   Marks touched_, near_;  // vertices and bits
   std::vector<std::uint32_t> region_, stamp_;
   std::uint32_t epoch_ = 0;

@@ -12,7 +12,7 @@
 namespace rimline::exact {
 namespace {
 
-std::array<std::size_t, 3> ranks_among(std::size_t n) { return {n / 4, 5 * n / 8, 3 * n / 4}; }
+constexpr float not_known = std::numeric_limits<float>::infinity();  // which all radii exceed
 
 }  // namespace
 
@@ -30,7 +30,7 @@ LocalSize LocalSizes::measure(Index vertex, std::vector<double>& radii) const {
   take(vertex);
   for (const Index v : neighbours_.of(vertex, std::min(around, neighbours_.k))) take(v);
   if (radii.empty()) return {distance_to(complex_.points(), neighbours_, vertex, 0), 0};
-  const auto [lower, typical, upper] = at_ranks(radii, ranks_among(radii.size()));
+  const auto [lower, typical, upper] = at_ranks(radii, StarLevels::ranks_among(radii.size()));
   return {typical, (upper - lower) / typical};
 }
 
@@ -47,35 +47,41 @@ void LocalSizes::find_limits(double margin, const Run& run) {
   if (levels_ && margin == margin_) return;
   margin_ = margin;
   if (!levels_) levels_.emplace(complex_, run);
-  limit_.resize(known_.size());
-  parallel_for_each(known_.size(), Stage::Loops, run, [&](Index v) { limit_[v] = limit_at(v); });
+  inverse_limit_.resize(known_.size());
+  parallel_slices(known_.size(), Stage::Loops, run, [&](std::size_t begin, std::size_t end) {
+    bound(static_cast<Index>(begin), static_cast<Index>(end));
+  });
 }
 
 void LocalSizes::drop_limits() {
   levels_.reset();
-  limit_ = {};
+  inverse_limit_ = {};
 }
 
 // The logarithm of a mean is at least the mean of logarithms, so a triangle whose radius is at most the
 // geometric mean of typical * exp(margin + spread) at its corners is no larger than that.
-float LocalSizes::limit_at(Index vertex) const {
-  const int near_count = std::min(around, neighbours_.k);
-  std::array<Index, around + 1> vertices{vertex};
-  std::ranges::copy(neighbours_.of(vertex, near_count), vertices.begin() + 1);
-  const StarLevels::Sum sum = levels_->sum({vertices.data(), static_cast<std::size_t>(near_count) + 1});
-  if (sum.count == 0 || sum.count > StarLevels::most) return 0;
-  const auto [lower, typical, upper] = StarLevels::levels_at(sum, ranks_among(sum.count));
-  const double range = std::max(0.0, levels_->least(upper) - levels_->above(lower));  // 0 where none is below
-  const double x = margin_ + range / levels_->above(typical);
-  const double limit = levels_->least(typical) * (1 + x + x * x / 2 + x * x * x / 6);  // e^x is more
-  return static_cast<float>(std::min(limit, double{std::numeric_limits<float>::max()}));
+void LocalSizes::bound(Index begin, Index end) {
+  constexpr double sixth = 1.0 / 6, most = 1e30;  // whose inverse is no tiny number yet
+  const StarLevels& levels = *levels_;
+  std::array<StarLevels::Around, 256> found;
+  while (begin < end) {
+    const auto here = std::span(found).first(std::min<std::size_t>(found.size(), end - begin));
+    levels.look(neighbours_, std::min(around, neighbours_.k), begin, here);
+    for (const auto& [lower, typical, upper, known] : here) {
+      const double range = std::max(0.0, levels.least(upper) - levels.above(lower));
+      const double x = margin_ + range / levels.above(typical);  // the spread is no less
+      const double limit = levels.least(typical) * (1 + x + x * x * (0.5 + x * sixth));  // e^x is more
+      inverse_limit_[begin++] = known ? static_cast<float>(1 / std::min(limit, most)) : not_known;
+    }
+  }
 }
 
 bool LocalSizes::may_exceed(Index triangle) const {
   const auto& [a, b, c] = complex_.triangle(triangle);
   constexpr double rounding = 1e-6;
   const double radius = complex_.radius(triangle);
-  return (radius / limit_[a]) * (radius / limit_[b]) * (radius / limit_[c]) > 1 - rounding;
+  return (radius * inverse_limit_[a]) * (radius * inverse_limit_[b]) * (radius * inverse_limit_[c]) >
+         1 - rounding;
 }
 
 void LocalSizes::forget(const std::vector<std::uint8_t>& changed, const Run& run) {
@@ -89,7 +95,7 @@ void LocalSizes::forget(const std::vector<std::uint8_t>& changed, const Run& run
   for (const Index v : gone) known_[v] = {};
   if (!levels_) return;
   levels_->renew(complex_, changed, run);
-  parallel_for_each(gone.size(), Stage::Loops, run, [&](Index i) { limit_[gone[i]] = limit_at(gone[i]); });
+  parallel_for_each(gone.size(), Stage::Loops, run, [&](Index i) { bound(gone[i], gone[i] + 1); });
 }
 
 double LocalSizes::log_ratio(const Triangle& triangle) {

@@ -52,14 +52,14 @@ class LocalSizes {
   static constexpr int around = 16;  // nearest neighbours whose triangles count
 
   LocalSize measure(Index vertex, std::vector<double>& radii) const;
-  float limit_at(Index vertex) const;
+  void bound(Index begin, Index end);
 
   const Complex& complex_;
   const Neighbours& neighbours_;
   std::vector<LocalSize> known_;
   std::optional<StarLevels> levels_;  // until limits are dropped
   double margin_ = 0;
-  UnfilledVector<float> limit_;  // 0 where it is not known
+  UnfilledVector<float> inverse_limit_;
   std::vector<double> radii_;
 };
 

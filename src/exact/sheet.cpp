@@ -15,13 +15,6 @@ namespace {
 
 constexpr std::size_t block_size = 8192;  // triangles that one task walks
 
-// Whether a triangle with corners a and b runs from a to b. Without branches, which would be guessed wrongly
-// half of the time.
-bool has_directed_edge(const Triangle& t, Index a, Index b) {
-  const int next = (t[0] == a) + 2 * (t[1] == a);
-  return t[next] == b;
-}
-
 // The part of a component that lies in one block of triangles, or a piece of it.
 struct Piece {
   Index first;  // its first triangle
@@ -72,6 +65,23 @@ class Blocks {
   using States = std::array<State, block_size>;
   static constexpr State is_turned = 1, is_reached = 2, is_out = 4;
 
+  // A triangle, and the edge over which it was reached, named by the corner that it leaves.
+  struct Member {
+    Index triangle;
+    int entry;
+  };
+
+  // The edge of a triangle that another lies across.
+  int edge_to(Index t, Index other) const {
+    const std::array<Index, 3>& beside = complex_.beside(t);
+    return (beside[1] == other) + 2 * (beside[2] == other);
+  }
+
+  // Whether both run through the edge that leaves corner k of the first in opposite ways.
+  bool agree(Index t, int k, Index other) const {
+    return complex_.triangle(other)[edge_to(other, t)] != complex_.triangle(t)[k];
+  }
+
   void walk(std::size_t b) {
     const Index begin = static_cast<Index>(b * block_size);
     const Index end = static_cast<Index>(std::min<std::size_t>(complex_.size(), (b + 1) * block_size));
@@ -80,7 +90,7 @@ class Blocks {
       state[t - begin] = kept_[t] ? 0 : is_out;
       piece_of_[t] = none;
     }
-    std::vector<Index> members(end - begin + 1);  // one more is written than there are
+    std::vector<Member> members(end - begin + 1);  // one more is written than there are
     std::vector<Piece>& pieces = blocks_[b].pieces;
     for (Index t = begin; t < end; ++t) {
       if (state[t - begin] != 0) continue;
@@ -99,27 +109,21 @@ class Blocks {
     }
   }
 
-  // Whether both run through the edge that leaves corner k of the first in opposite ways.
-  bool agree(Index t, int k, Index other) const {
-    const Triangle& x = complex_.triangle(t);
-    return !has_directed_edge(complex_.triangle(other), x[k], x[(k + 1) % 3]);
-  }
-
   // Hardly branches, for each triangle is reached from two or three others in no order that could be guessed.
-  void walk_piece(Block& block, std::pair<Index, Index> range, States& state,
-                  std::vector<Index>& members) {
+  void walk_piece(Block& block, std::pair<Index, Index> range, States& state, std::vector<Member>& members) {
     const auto [begin, end] = range;
     const auto number = static_cast<Index>(block.pieces.size()) - 1;
     Piece& piece = block.pieces.back();
-    members[0] = piece.first;
+    members[0] = {piece.first, 0};
     state[piece.first - begin] = is_reached;
     std::size_t count = 1;
     State differ = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      const Index t = members[i];
+      const auto [t, entry] = members[i];
       const State own = state[t - begin] & is_turned;
       piece_of_[t] = number;
-      for (int k = 0; k < 3; ++k) {
+      for (int step = i == 0 ? 0 : 1; step < 3; ++step) {
+        const int k = entry + step < 3 ? entry + step : entry + step - 3;
         const Index other = complex_.across(t, k);
         if (other < begin || other >= end) {  // none is less
           if (t < other && kept_[other]) block.seams.push_back({t, other, agree(t, k, other)});
@@ -127,12 +131,14 @@ class Blocks {
         }
         const State before = state[other - begin];
         if (before == is_out) continue;
-        const State as_here = is_reached | (own ^ !agree(t, k, other));
+        const int back = edge_to(other, t);
+        const bool agrees = complex_.triangle(other)[back] != complex_.triangle(t)[k];
+        const State as_here = is_reached | (own ^ !agrees);
         const bool is_new = before == 0;
         const State now = is_new ? as_here : before;
         state[other - begin] = now;
         differ |= now ^ as_here;
-        members[count] = other;
+        members[count] = {other, back};
         count += is_new;
       }
     }
@@ -182,6 +188,12 @@ class Joins {
   std::vector<Index> parent_;
   std::vector<std::uint8_t> turned_;  // against the parent
 };
+
+// Whether a triangle with corners a and b runs from a to b.
+bool has_directed_edge(const Triangle& t, Index a, Index b) {
+  const int next = (t[0] == a) + 2 * (t[1] == a);
+  return t[next] == b;
+}
 
 // All triangles of one component, from its first; each is turned to agree with the one it was reached from.
 // Only where they can not all agree does it matter which way the walk took.

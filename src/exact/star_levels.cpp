@@ -62,18 +62,37 @@ class Levels {
   std::array<std::uint8_t, 2 * reach> level_;
 };
 
-// Of the lanes. Pairs of neighbouring bytes are added in words first, so that nothing runs over.
-template <class Block>
-int sum_of(const Block& lanes) {
-  constexpr std::uint64_t even = 0x00ff00ff00ff00ff, ones = 0x0001000100010001;
-  std::uint64_t half[2];
-  std::memcpy(half, &lanes, sizeof(half));
-  const std::uint64_t pairs =
-      (half[0] & even) + (half[0] >> 8 & even) + (half[1] & even) + (half[1] >> 8 & even);
-  return static_cast<int>(pairs * ones >> 48);
+constexpr std::size_t most_counted = 254;  // triangles of several stars
+
+std::uint8_t size_of(std::span<const Index> star) {
+  return static_cast<std::uint8_t>(std::min<std::size_t>(star.size(), 255));
 }
 
 }  // namespace
+
+// Of the triangles of a star, how many are below each limit.
+template <class LevelOf>
+StarLevels::Row StarLevels::count_star(std::span<const Index> star, const LevelOf& level_of) {
+  constexpr Block first{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, second = first + block;
+  Row below{};
+  for (const Index t : star) {
+    const std::uint8_t level = level_of(t);
+    below.low -= reinterpret_cast<Block>(level <= first);  // -1 where true
+    below.high -= reinterpret_cast<Block>(level <= second);
+  }
+  return below;
+}
+
+// The level at a rank is the number of limits below which there are at most so many.
+std::uint8_t StarLevels::level_at(const Row& below, std::size_t rank) {
+  const auto most = static_cast<std::uint8_t>(rank);
+  const Block reached =
+      -reinterpret_cast<Block>(below.low <= most) - reinterpret_cast<Block>(below.high <= most);
+  std::uint64_t half[2];
+  std::memcpy(half, &reached, block);
+  constexpr std::uint64_t ones = 0x0101010101010101;
+  return static_cast<std::uint8_t>((half[0] + half[1]) * ones >> 56);  // 32 at most
+}
 
 StarLevels::StarLevels(const Complex& complex, const Run& run) : starts_(part<limits>(complex)) {
   for (std::size_t i = 0; i < limits; ++i) least_[i + 1] = first_of(starts_[i]);
@@ -84,50 +103,35 @@ StarLevels::StarLevels(const Complex& complex, const Run& run) : starts_(part<li
                     [&](Index t) { level[t] = levels.of(complex.radius(t)); });
   size_.resize(complex.vertices());
   row_.resize(complex.vertices());
-  parallel_for_each(complex.vertices(), Stage::Loops, run,
-                    [&](Index v) { count_star(complex, v, [&](Index t) { return level[t]; }); });
+  parallel_for_each(complex.vertices(), Stage::Loops, run, [&](Index v) {
+    size_[v] = size_of(complex.star(v));
+    row_[v] = count_star(complex.star(v), [&](Index t) { return level[t]; });
+  });
 }
 
 void StarLevels::renew(const Complex& complex, const std::vector<std::uint8_t>& changed, const Run& run) {
   const Levels levels(starts_);
   parallel_for_each(complex.vertices(), Stage::Loops, run, [&](Index v) {
-    if (changed[v]) count_star(complex, v, [&](Index t) { return levels.of(complex.radius(t)); });
+    if (!changed[v]) return;
+    size_[v] = size_of(complex.star(v));
+    row_[v] = count_star(complex.star(v), [&](Index t) { return levels.of(complex.radius(t)); });
   });
 }
 
-template <class LevelOf>
-void StarLevels::count_star(const Complex& complex, Index vertex, const LevelOf& level_of) {
-  constexpr Block first{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, second = first + block;
-  const std::span<const Index> star = complex.star(vertex);
-  Row row{};
-  for (const Index t : star) {
-    const std::uint8_t level = level_of(t);
-    row.low -= reinterpret_cast<Block>(level <= first);  // -1 where true
-    row.high -= reinterpret_cast<Block>(level <= second);
+void StarLevels::look(const Neighbours& neighbours, int near, Index first, std::span<Around> found) const {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Index v = first + static_cast<Index>(i);
+    std::size_t count = size_[v];
+    Row below = row_[v];
+    for (const Index w : neighbours.of(v, near)) {
+      count += size_[w];
+      below.low += row_[w].low;
+      below.high += row_[w].high;
+    }
+    const auto ranks = ranks_among(count);
+    found[i] = {level_at(below, ranks[0]), level_at(below, ranks[1]), level_at(below, ranks[2]),
+                count > 0 && count <= most_counted};
   }
-  size_[vertex] = static_cast<std::uint8_t>(std::min<std::size_t>(star.size(), 255));
-  row_[vertex] = row;
-}
-
-StarLevels::Sum StarLevels::sum(std::span<const Index> vertices) const {
-  Sum sum{0, {}};
-  for (const Index v : vertices) {
-    sum.count += size_[v];
-    sum.below.low += row_[v].low;
-    sum.below.high += row_[v].high;
-  }
-  return sum;
-}
-
-// The level of a rank is the number of limits below which there are at most so many.
-std::array<int, 3> StarLevels::levels_at(const Sum& sum, const std::array<std::size_t, 3>& ranks) {
-  std::array<int, 3> levels;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto rank = static_cast<std::uint8_t>(ranks[i]);
-    levels[i] = sum_of<Block>(-reinterpret_cast<Block>(sum.below.low <= rank) -
-                              reinterpret_cast<Block>(sum.below.high <= rank));
-  }
-  return levels;
 }
 
 }  // namespace rimline::exact

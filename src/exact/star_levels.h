@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exact/complex.h"
+#include "rimline/neighbours.h"
 #include "rimline/run.h"
 #include "rimline/unfilled.h"
 
@@ -18,12 +19,6 @@ namespace rimline::exact {
 // some twenty points, and how many are below the limits there is the sum of as many rows of bytes. So it pays
 // to look at these first, and at radii only where they do not tell enough.
 class StarLevels {
-  static constexpr std::size_t limits = 32, block = 16;  // bytes that are added and compared at once
-  using Block = std::uint8_t __attribute__((vector_size(block)));
-  struct Row {
-    Block low, high;
-  };
-
  public:
   StarLevels(const Complex& complex, const Run& run);
   // The marked stars, whose triangles have changed; limits stay as they are.
@@ -33,19 +28,28 @@ class StarLevels {
   double least(int level) const { return least_[static_cast<std::size_t>(level)]; }
   double above(int level) const { return least_[static_cast<std::size_t>(level) + 1]; }
 
-  // Of the stars of some vertices: triangles in several of them count several times.
-  struct Sum {
-    std::size_t count;
-    Row below;  // wrong where the count is more than `most`
+  // Of the radii in the stars of a vertex and of its nearest neighbours, where triangles in several of them
+  // count several times: the levels at ranks_among() their number. Unknown where that is 0, or more than a
+  // byte counts.
+  struct Around {
+    std::uint8_t lower = 0, typical = 0, upper = 0;
+    bool known = false;
   };
-  static constexpr std::size_t most = 254;
-  Sum sum(std::span<const Index> vertices) const;
-  // The levels of the radii at three ranks, from 0, below the count, which is at most `most`.
-  static std::array<int, 3> levels_at(const Sum& sum, const std::array<std::size_t, 3>& ranks);
+  static std::array<std::size_t, 3> ranks_among(std::size_t count) {
+    return {count / 4, 5 * count / 8, 3 * count / 4};
+  }
+  // Of vertices that follow each other, from the first on, with so many neighbours each.
+  void look(const Neighbours& neighbours, int near, Index first, std::span<Around> found) const;
 
  private:
+  static constexpr std::size_t limits = 32, block = 16;  // bytes that are added and compared at once
+  using Block = std::uint8_t __attribute__((vector_size(block)));
+  struct Row {
+    Block low, high;
+  };
   template <class LevelOf>
-  void count_star(const Complex& complex, Index vertex, const LevelOf& level_of);
+  static Row count_star(std::span<const Index> star, const LevelOf& level_of);
+  static std::uint8_t level_at(const Row& below, std::size_t rank);
 
   std::array<int, limits> starts_;          // of the levels above the first, as steps
   std::array<double, limits + 2> least_{};  // of each level, and what is more than all radii
