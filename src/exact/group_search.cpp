@@ -11,7 +11,7 @@ namespace rimline::exact {
 namespace {
 
 constexpr double least_gain_of_flip = 1e-9;
-constexpr std::uint32_t most_in_table = 6;  // bits of a vertex whose costs are remembered
+constexpr std::uint32_t most_in_table = 8;  // bits of a vertex whose costs are remembered
 
 }  // namespace
 
