@@ -64,44 +64,74 @@ struct Row {
 
 constexpr std::size_t points_in_row = 4096;
 
-void read_star(const Complex& complex, const Stars& stars, const std::vector<double>& spacing, double largest,
-               Index v, Row& row) {
-  const Points p = complex.points();
-  const Star star = stars[v];
-  for (std::size_t i = 0; i < star.size(); ++i) {
-    const Index a = star[i], b = star[i + 1 < star.size() ? i + 1 : 0];
-    if (a == none || b == none) continue;
-    // Where one of lower id names the triangle too, it was met before.
-    std::uint32_t in_a = nowhere, in_b = nowhere;
-    if (a < v && (in_a = corner_between(stars[a], v, b)) != nowhere) continue;
-    if (b < v && (in_b = corner_between(stars[b], v, a)) != nowhere) continue;
-    if (a > v) in_a = corner_between(stars[a], v, b);
-    if (b > v) in_b = corner_between(stars[b], v, a);
-    const bool by_a = in_a != nowhere, by_b = in_b != nowhere;
-    const double radius = circumradius(p[v], p[a], p[b]);
-    const double size = radius / std::max({spacing[v], spacing[a], spacing[b]});
-    if (size > largest) continue;
-    if (by_a && by_b) {
-      row.agreed.push_back({{v, a, b}, {static_cast<std::uint32_t>(i), in_a, in_b}, radius});
-    } else {
-      row.rest.push_back({{v, a, b}, 1 + by_a + by_b, size});
+// What all stars name, read in two rounds: of most triangles all corners have them in their stars, which the
+// corner of least id finds out for all three. So the second round need not ask again.
+class StarReader {
+ public:
+  StarReader(Points points, const Stars& stars, const std::vector<double>& spacing, double largest,
+             const Run& run)
+      : points_(points), stars_(stars), spacing_(spacing), largest_(largest) {
+    resize_together(is_read_, stars.start(stars.size()), run);
+  }
+
+  std::vector<Row> read(const Run& run) {
+    std::vector<Row> rows((stars_.size() + points_in_row - 1) / points_in_row);
+    const auto for_each_star = [&](const auto& body) {
+      parallel_tasks(rows.size(), Stage::Survey, run, [&](std::size_t r) {
+        const std::size_t end = std::min(stars_.size(), (r + 1) * points_in_row);
+        for (std::size_t v = r * points_in_row; v < end; ++v) body(static_cast<Index>(v), rows[r]);
+      });
+      run.check_cancel();
+    };
+    for (Row& row : rows) row.agreed.reserve(9 * points_in_row / 4);  // a surface has two triangles a point
+    for_each_star([&](Index v, Row& row) { read_agreed(v, row.agreed); });
+    for_each_star([&](Index v, Row& row) { read_rest(v, row.rest); });
+    return rows;
+  }
+
+ private:
+  void read_agreed(Index v, std::vector<Agreed>& agreed) {
+    const Star star = stars_[v];
+    for (std::size_t i = 0; i < star.size(); ++i) {
+      const Index a = star[i], b = star[i + 1 < star.size() ? i + 1 : 0];
+      if (a < v || b < v) continue;  // `none` is below all
+      const std::uint32_t in_a = corner_between(stars_[a], v, b);
+      if (in_a == nowhere) continue;
+      const std::uint32_t in_b = corner_between(stars_[b], v, a);
+      if (in_b == nowhere) continue;
+      for (const std::size_t at : {stars_.start(v) + i, stars_.start(a) + in_a, stars_.start(b) + in_b})
+        is_read_[at] = 1;  // no other triangle has this corner
+      const double radius = circumradius(points_[v], points_[a], points_[b]);
+      if (size(radius, {v, a, b}) <= largest_)
+        agreed.push_back({{v, a, b}, {static_cast<std::uint32_t>(i), in_a, in_b}, radius});
     }
   }
-}
 
-std::vector<Row> read_stars(const Complex& complex, const Stars& stars, const std::vector<double>& spacing,
-                            double largest, const Run& run) {
-  std::vector<Row> rows((stars.size() + points_in_row - 1) / points_in_row);
-  parallel_tasks(rows.size(), Stage::Survey, run, [&](std::size_t r) {
-    const std::size_t end = std::min(stars.size(), (r + 1) * points_in_row);
-    rows[r].agreed.reserve(9 * points_in_row / 4);  // a surface has two triangles a point
-    for (std::size_t v = r * points_in_row; v < end; ++v) {
-      read_star(complex, stars, spacing, largest, static_cast<Index>(v), rows[r]);
+  void read_rest(Index v, std::vector<Proposal>& rest) const {
+    const Star star = stars_[v];
+    for (std::size_t i = 0; i < star.size(); ++i) {
+      if (is_read_[stars_.start(v) + i]) continue;
+      const Index a = star[i], b = star[i + 1 < star.size() ? i + 1 : 0];
+      if (a == none || b == none) continue;
+      const bool by_a = corner_between(stars_[a], v, b) != nowhere;
+      const bool by_b = corner_between(stars_[b], v, a) != nowhere;
+      if ((by_a && a < v) || (by_b && b < v)) continue;  // that one names it, too
+      const double radius = circumradius(points_[v], points_[a], points_[b]);
+      const double s = size(radius, {v, a, b});
+      if (s <= largest_) rest.push_back({{v, a, b}, 1 + by_a + by_b, s});
     }
-  });
-  run.check_cancel();
-  return rows;
-}
+  }
+
+  double size(double radius, const Triangle& t) const {
+    return radius / std::max({spacing_[t[0]], spacing_[t[1]], spacing_[t[2]]});
+  }
+
+  Points points_;
+  const Stars& stars_;
+  const std::vector<double>& spacing_;
+  double largest_;
+  std::vector<std::uint8_t> is_read_;  // of each corner of the stars
+};
 
 // The complex of the triangles that all agree on, in the order of the rows.
 void take_agreed(Complex& complex, const Stars& stars, std::vector<Row>& rows, const Run& run) {
@@ -199,7 +229,7 @@ class Proposer {
 Complex propose_surface(Points points, const std::vector<Frame>& frames, const Stars& stars,
                         const std::vector<double>& spacing, double largest, const Run& run) {
   Complex complex(points, frames);
-  std::vector<Row> rows = read_stars(complex, stars, spacing, largest, run);
+  std::vector<Row> rows = StarReader(points, stars, spacing, largest, run).read(run);
   take_agreed(complex, stars, rows, run);
   std::vector<Proposal> rest;
   for (const Row& row : rows) rest.insert(rest.end(), row.rest.begin(), row.rest.end());
