@@ -27,6 +27,10 @@ struct Box {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
+  void add(const Box& other) {
+    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y), std::min(low.z, other.low.z)};
+    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y), std::max(high.z, other.high.z)};
+  }
   // Halves first: the sum of two ends may overflow.
   Point centre() const { return 0.5 * low + 0.5 * high; }
   double extent() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
@@ -55,6 +59,46 @@ struct Place {
   std::uint64_t code;
   Index id;
 };
+
+// Puts the ids of the points that are finite into places, and those that are not apart, in order. Returns the
+// box of the first.
+Box put_finite(Points input, UnfilledVector<Place>& places, std::vector<Index>& not_finite, const Run& run) {
+  constexpr std::size_t block = 16384;
+  struct Part {
+    Box box;
+    bool all_finite = true;
+  };
+  std::vector<Part> parts((input.size() + block - 1) / block);
+  places.resize(input.size());
+  parallel_tasks(parts.size(), Stage::Arrange, run, [&](std::size_t k) {
+    for (std::size_t i = k * block; i < std::min(input.size(), (k + 1) * block); ++i) {
+      places[i].id = static_cast<Index>(i);
+      if (is_finite(input[i])) {
+        parts[k].box.add(input[i]);
+      } else {
+        parts[k].all_finite = false;
+      }
+    }
+  });
+  run.check_cancel();
+  Box box;
+  bool all_finite = true;
+  for (const Part& part : parts) {
+    box.add(part.box);
+    all_finite = all_finite && part.all_finite;
+  }
+  if (all_finite) return box;
+  std::size_t kept = 0;
+  for (const Place& place : places) {
+    if (is_finite(input[place.id])) {
+      places[kept++] = place;
+    } else {
+      not_finite.push_back(place.id);
+    }
+  }
+  places.resize(kept);
+  return box;
+}
 
 // Sorts by code, then by coordinates, then by id: into cells by the highest bits that differ first, then all
 // cells at once.
@@ -141,17 +185,8 @@ Arrangement arrange(Points input, const Run& run) {
     throw Error(ErrorCode::OutOfMemory, "more points than ids: at most 2,147,483,646 can be taken");
   }
   Arrangement result;
-  Box box;
   UnfilledVector<Place> places;
-  places.reserve(input.size());
-  for (Index i = 0; i < static_cast<Index>(input.size()); ++i) {
-    if (is_finite(input[i])) {
-      box.add(input[i]);
-      places.push_back({0, i});
-    } else {
-      result.not_finite.push_back(i);
-    }
-  }
+  const Box box = put_finite(input, places, result.not_finite, run);
   if (places.empty()) throw Error(ErrorCode::TooFewPoints, "no point has finite coordinates");
   result.origin = box.centre();
 

@@ -14,11 +14,11 @@
 
 namespace rimline {
 
-// The same as items.resize(count) for an empty vector.
+// The same as items.resize(count) for an empty vector, with room for `more` items after these.
 template <class T>
-void resize_together(std::vector<T>& items, std::size_t count, const Run& run) {
+void resize_together(std::vector<T>& items, std::size_t count, const Run& run, std::size_t more = 0) {
   constexpr std::size_t page = 4096, block_size = std::size_t{1} << 21;
-  items.reserve(count);
+  items.reserve(count + more);
   char* const first = reinterpret_cast<char*>(items.data());
   const std::size_t bytes = count * sizeof(T);
   if (bytes >= 8 * block_size) {

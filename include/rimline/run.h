@@ -62,6 +62,12 @@ struct Run {
     if (on_progress) on_progress({stage, done, total});
   }
   void check_cancel() const;
+  // The same for a part of a stage, which does not know how much of it is done.
+  Run without_progress() const {
+    Run silent = *this;
+    silent.on_progress = {};
+    return silent;
+  }
   bool cancelled() const { return stop != nullptr && stop->load(std::memory_order_relaxed); }
 };
 

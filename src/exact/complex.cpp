@@ -24,7 +24,8 @@ double angle_at(Point a, Point b, Point c) {
 
 Complex::AtVertices::AtVertices(const Stars& stars, const Run& run) : stars_(stars) {
   resize_together(places_, stars.size(), run);
-  resize_together(ids_, stars.start(stars.size()), run);
+  const std::size_t places = stars.start(stars.size());
+  resize_together(ids_, places, run, places / 8);
   parallel_for_each(stars.size(), Stage::Survey, run, [&](Index v) {
     const auto room = static_cast<std::uint32_t>(stars[v].size());
     places_[v] = {stars.start(v), room, room};
@@ -38,7 +39,7 @@ void Complex::start_with(std::vector<Triangle> triangles, std::vector<double> ra
   radii_ = std::move(radii);
   stars_ = std::move(at.places_);
   at_vertex_ = std::move(at.ids_);
-  resize_together(beside_, triangles_.size(), run);
+  resize_together(beside_, triangles_.size(), run, triangles_.capacity() - triangles_.size());
   parallel_for_each(beside_.size(), Stage::Survey, run, [&](Index t) { beside_[t].fill(none); });
   parallel_for_each(stars_.size(), Stage::Survey, run, [&](Index v) {
     link_at_vertex(v, at.stars_[v]);

@@ -136,11 +136,16 @@ class StarReader {
 // The complex of the triangles that all agree on, in the order of the rows.
 void take_agreed(Complex& complex, const Stars& stars, std::vector<Row>& rows, const Run& run) {
   std::vector<std::size_t> start{0};
-  for (const Row& row : rows) start.push_back(start.back() + row.agreed.size());
+  std::size_t more = 0;  // that may follow: the rest, and notches
+  for (const Row& row : rows) {
+    start.push_back(start.back() + row.agreed.size());
+    more += row.rest.size();
+  }
+  more += start.back() / 16;
   std::vector<Triangle> triangles;
   std::vector<double> radii;
-  resize_together(triangles, start.back(), run);
-  resize_together(radii, start.back(), run);
+  resize_together(triangles, start.back(), run, more);
+  resize_together(radii, start.back(), run, more);
   Complex::AtVertices at(stars, run);
   parallel_tasks(rows.size(), Stage::Survey, run, [&](std::size_t r) {
     std::size_t id = start[r];

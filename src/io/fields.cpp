@@ -5,6 +5,8 @@
 #include <array>
 #include <set>
 
+#include "parallel.h"
+
 namespace rimline::io {
 namespace {
 
@@ -176,15 +178,19 @@ Cloud cloud_from_fields(const std::vector<Field>& fields, std::size_t count, boo
   std::vector<std::vector<std::byte>> bytes(others.size());
   for (std::size_t i = 0; i < others.size(); ++i) bytes[i].resize(count * size_in_bytes(others[i].type));
 
-  constexpr std::size_t slice_size = 8192;
+  constexpr std::size_t slice_size = 4096;
   constexpr std::array<double Point::*, 3> axes = {&Point::x, &Point::y, &Point::z};
-  for (std::size_t begin = 0; begin < count; begin += slice_size) {
-    if (begin % items_per_look == 0) source.progress(run, begin, count);
-    const Slice slice{begin, std::min(count, begin + slice_size)};
-    for (int axis = 0; axis < 3; ++axis)
-      take_coordinate(*xyz[axis], slice, swap_bytes, axes[axis], cloud.points);
-    for (std::size_t i = 0; i < others.size(); ++i)
-      take_values(others[i], slice, swap_bytes, bytes[i].data());
+  const Run silent = run.without_progress();
+  for (std::size_t begin = 0; begin < count; begin += items_per_look) {
+    source.progress(run, begin, count);
+    const auto take = [&](std::size_t from, std::size_t to) {
+      const Slice slice{begin + from, begin + to};
+      for (int axis = 0; axis < 3; ++axis)
+        take_coordinate(*xyz[axis], slice, swap_bytes, axes[axis], cloud.points);
+      for (std::size_t i = 0; i < others.size(); ++i)
+        take_values(others[i], slice, swap_bytes, bytes[i].data());
+    };
+    parallel_slices(std::min(count - begin, items_per_look), Stage::Read, silent, take, slice_size);
   }
   cloud.columns = finished_columns(others, std::move(bytes));
   make_names_usable(cloud.columns);

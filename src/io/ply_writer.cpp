@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/writers.h"
+#include "parallel.h"
 
 namespace rimline::io {
 namespace {
@@ -40,21 +41,20 @@ class Records {
     for (const Column& column : cloud.columns) record_ += size_in_bytes(column.type);
   }
 
-  std::string_view take(std::size_t begin, std::size_t end) {
-    bytes_.resize((end - begin) * record_);
-    std::size_t offset = cloud_.coordinate_type == Scalar::Float32 ? put_points<float>(begin, end)
-                                                                   : put_points<double>(begin, end);
+  std::size_t bytes() const { return record_; }  // of one
+
+  void put(std::size_t begin, std::size_t end, char* to) const {
+    std::size_t offset = cloud_.coordinate_type == Scalar::Float32 ? put_points<float>(begin, end, to)
+                                                                   : put_points<double>(begin, end, to);
     for (const Column& column : cloud_.columns) {
-      put_column(column, begin, end, offset);
+      put_column(column, begin, end, to + offset);
       offset += size_in_bytes(column.type);
     }
-    return {bytes_.data(), bytes_.size()};
   }
 
  private:
   template <class T>
-  std::size_t put_points(std::size_t begin, std::size_t end) {
-    char* to = bytes_.data();
+  std::size_t put_points(std::size_t begin, std::size_t end, char* to) const {
     for (std::size_t i = begin; i < end; ++i, to += record_) {
       const Point& p = cloud_.points[i];
       place(to, static_cast<T>(p.x));
@@ -65,17 +65,16 @@ class Records {
   }
 
   template <std::size_t size>
-  void put_values(const std::byte* from, std::size_t count, char* to) {
+  void put_values(const std::byte* from, std::size_t count, char* to) const {
     for (std::size_t i = 0; i < count; ++i, from += size, to += record_) {
       std::memcpy(to, from, size);
       if constexpr (std::endian::native == std::endian::big) std::reverse(to, to + size);
     }
   }
 
-  void put_column(const Column& column, std::size_t begin, std::size_t end, std::size_t offset) {
+  void put_column(const Column& column, std::size_t begin, std::size_t end, char* to) const {
     const std::size_t size = size_in_bytes(column.type);
     const std::byte* from = column.bytes.data() + begin * size;
-    char* to = bytes_.data() + offset;
     switch (size) {
       case 1: return put_values<1>(from, end - begin, to);
       case 2: return put_values<2>(from, end - begin, to);
@@ -86,20 +85,32 @@ class Records {
 
   const Cloud& cloud_;
   std::size_t record_;
-  std::vector<char> bytes_;
 };
+
+// Writes records of `size` bytes each, which put(begin, end, to) makes of some of the items.
+template <class Put>
+void write_records(SafeFile& file, std::size_t count, std::size_t size, const Run& run, const Put& put) {
+  constexpr std::size_t slice = 4096;
+  const Run silent = run.without_progress();
+  std::vector<char> bytes;
+  for (std::size_t begin = 0; begin < count; begin += items_per_look) {
+    run.progress(Stage::Write, begin, count);
+    const std::size_t here = std::min(count - begin, items_per_look);
+    bytes.resize(here * size);
+    const auto put_slice = [&](std::size_t from, std::size_t to) {
+      put(begin + from, begin + to, bytes.data() + from * size);
+    };
+    parallel_slices(here, Stage::Write, silent, put_slice, slice);
+    file.write({bytes.data(), bytes.size()});
+  }
+}
 
 void write_faces(SafeFile& file, const Triangles& triangles, const Run& run,
                  const std::vector<Column>& columns) {
-  constexpr std::size_t own = 1 + 3 * sizeof(Index), slice = 8192;
+  constexpr std::size_t own = 1 + 3 * sizeof(Index);
   std::size_t record = own;
   for (const Column& column : columns) record += size_in_bytes(column.type);
-  std::vector<char> bytes;
-  for (std::size_t begin = 0; begin < triangles.size(); begin += slice) {
-    if (begin % items_per_look == 0) run.progress(Stage::Write, begin, triangles.size());
-    const std::size_t end = std::min(triangles.size(), begin + slice);
-    bytes.resize((end - begin) * record);
-    char* to = bytes.data();
+  write_records(file, triangles.size(), record, run, [&](std::size_t begin, std::size_t end, char* to) {
     for (std::size_t t = begin; t < end; ++t, to += record) {
       *to = 3;
       for (std::size_t c = 0; c < 3; ++c) place(to + 1 + c * sizeof(Index), triangles[t][c]);
@@ -111,21 +122,17 @@ void write_faces(SafeFile& file, const Triangles& triangles, const Run& run,
         value += size;
       }
     }
-    file.write({bytes.data(), bytes.size()});
-  }
+  });
 }
 
 }  // namespace
 
 void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, const Run& run,
                const std::vector<Column>& face_columns) {
-  constexpr std::size_t slice = 8192;
   file.write(header(cloud, triangles, face_columns));
-  Records records(cloud);
-  for (std::size_t begin = 0; begin < cloud.points.size(); begin += slice) {
-    if (begin % items_per_look == 0) run.progress(Stage::Write, begin, cloud.points.size());
-    file.write(records.take(begin, std::min(cloud.points.size(), begin + slice)));
-  }
+  const Records records(cloud);
+  write_records(file, cloud.points.size(), records.bytes(), run,
+                [&](std::size_t begin, std::size_t end, char* to) { records.put(begin, end, to); });
   if (triangles != nullptr) write_faces(file, *triangles, run, face_columns);
 }
 

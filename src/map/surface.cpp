@@ -223,8 +223,7 @@ std::vector<Meshed> mesh_all(const std::vector<PatchInput>& patches, const Mesh&
       small.push_back(p);
     }
   }
-  Run alone = run;  // progress is for the thread that called
-  alone.on_progress = {};
+  Run alone = run.without_progress();  // which is for the thread that called
   alone.threads = 1;
   tbb::task_arena arena(thread_count(run));
   for (std::size_t first = 0; first < small.size(); first += batch) {

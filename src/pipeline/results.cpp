@@ -24,8 +24,7 @@ void put_points(const Work& work, BoundaryResult& result) {
     result.boundary_probability.assign(n, static_cast<float>(nan));
     result.label.assign(n, PointLabel::Stray);
   }
-  Run silent = work.run;  // the stages are over
-  silent.on_progress = {};
+  const Run silent = work.run.without_progress();  // the stages are over
   parallel_for_each(work.arrangement.ids.size(), Stage::Write, silent, [&](Index i) {
     const Index id = work.arrangement.ids[i];
     result.candidate[id] = work.scores.candidate[i];
