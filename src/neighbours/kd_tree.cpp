@@ -6,6 +6,8 @@
 #include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <functional>
+
 #include "parallel.h"
 
 namespace rimline {
@@ -13,7 +15,43 @@ namespace {
 
 constexpr std::size_t least_parallel = 8192;  // points in a task: long enough to hide its cost
 
+double middle_of(double a, double b, double c) { return std::max(std::min(a, b), std::min(std::max(a, b), c)); }
+
 }  // namespace
+
+// Moves those below the pivot (or not above it) to the front. What a comparison says is added, not branched
+// on: it would be mistaken half of the time.
+template <class Compare>
+KdTree::Item* KdTree::partition(Item* first, Item* last, int axis, double pivot, const Compare& is_low) {
+  Item* high = first;
+  for (Item* i = first; i < last; ++i) {
+    const Item item = *i;
+    *i = *high;
+    *high = item;
+    high += is_low(item.coordinate[axis], pivot);
+  }
+  return high;
+}
+
+// The same as std::nth_element by one coordinate.
+void KdTree::select(Item* first, Item* nth, Item* last, int axis) {
+  constexpr std::ptrdiff_t few = 16;
+  while (last - first > few) {
+    const auto sample = [&](int part) { return first[part * (last - first - 1) / 8].coordinate[axis]; };
+    const double pivot =
+        middle_of(middle_of(sample(0), sample(1), sample(2)), middle_of(sample(3), sample(4), sample(5)),
+                  middle_of(sample(6), sample(7), sample(8)));
+    Item* high = partition(first, last, axis, pivot, std::less<>());
+    if (high == first) {  // the pivot is the least: those that equal it need no order
+      high = partition(first, last, axis, pivot, std::less_equal<>());
+      if (nth < high) return;
+    }
+    nth < high ? last = high : first = high;
+  }
+  std::nth_element(first, nth, last, [axis](const Item& a, const Item& b) {
+    return a.coordinate[axis] < b.coordinate[axis];
+  });
+}
 
 void KdTree::split(UnfilledVector<Item>& items, std::size_t node) {
   const std::size_t first = begin(node), last = end(node);
@@ -32,9 +70,7 @@ void KdTree::split(UnfilledVector<Item>& items, std::size_t node) {
   for (int axis = 1; axis < 3; ++axis) {
     if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
   }
-  std::nth_element(
-      items.begin() + first, items.begin() + begin(2 * node + 1), items.begin() + last,
-      [longest](const Item& a, const Item& b) { return a.coordinate[longest] < b.coordinate[longest]; });
+  select(items.data() + first, items.data() + begin(2 * node + 1), items.data() + last, longest);
   if (last - first < least_parallel) {
     split(items, 2 * node);
     split(items, 2 * node + 1);

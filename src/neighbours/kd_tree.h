@@ -61,6 +61,9 @@ class KdTree {
     return (other << (depth_ + 1 - std::bit_width(node))) - leaf_count();
   }
   void split(UnfilledVector<Item>& items, std::size_t node);
+  static void select(Item* first, Item* nth, Item* last, int axis);
+  template <class Compare>
+  static Item* partition(Item* first, Item* last, int axis, double pivot, const Compare& is_low);
 
   int depth_ = 0;
   std::vector<std::size_t> first_;  // place of each leaf's first point, and the number of points
