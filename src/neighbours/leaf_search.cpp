@@ -36,8 +36,8 @@ constexpr double most_margin = 0x1p-9;
 constexpr double least_radius = 1e-140, most_radius = 1e140;
 
 // Gathered points and keys are looked at so many at once; arrays of them have room for as many more.
-constexpr std::size_t lanes = 16;
-using Lanes = std::int32_t __attribute__((vector_size(lanes * sizeof(std::int32_t))));
+constexpr std::size_t at_once = 16;
+using Numbers = std::int32_t __attribute__((vector_size(at_once * sizeof(std::int32_t))));
 
 // As many can be told apart by the lowest bits of a key.
 constexpr std::size_t most_keys = 256;
@@ -62,7 +62,7 @@ RIMLINE_AVX512 std::size_t pass(const Gathered& from, float x, float y, float z,
                                 std::int32_t* bits) {
   const __m512 at_x = _mm512_set1_ps(x), at_y = _mm512_set1_ps(y), at_z = _mm512_set1_ps(z);
   std::size_t count = 0;
-  for (std::size_t i = 0; i < from.count; i += lanes) {
+  for (std::size_t i = 0; i < from.count; i += at_once) {
     const __m512 dx = _mm512_sub_ps(_mm512_loadu_ps(from.x + i), at_x);
     const __m512 dy = _mm512_sub_ps(_mm512_loadu_ps(from.y + i), at_y);
     const __m512 dz = _mm512_sub_ps(_mm512_loadu_ps(from.z + i), at_z);
@@ -94,19 +94,19 @@ RIMLINE_OTHERS std::size_t pass(const Gathered& from, float x, float y, float z,
 
 // Writes the places in the order of the bits of their squared distances, but for the lowest bits. The rank of
 // a key, all of which differ, is the number of those below it: no branch depends on any. Keys have room for
-// `lanes` more, `ordered` for one.
+// `at_once` more, `ordered` for one.
 RIMLINE_WIDE void order_by_rank(std::int32_t* keys, const Index* places, std::size_t count, Index* ordered) {
   // The order of numbers that are not negative is that of their bits; the lowest make them differ.
   constexpr std::int32_t lowest = most_keys - 1;
   for (std::size_t j = 0; j < count; ++j) keys[j] = (keys[j] & ~lowest) | static_cast<std::int32_t>(j);
-  std::fill_n(keys + count, lanes, std::numeric_limits<std::int32_t>::max());
-  for (std::size_t first = 0; first < count; first += lanes) {
-    Lanes own, sum{};
+  std::fill_n(keys + count, at_once, std::numeric_limits<std::int32_t>::max());
+  for (std::size_t first = 0; first < count; first += at_once) {
+    Numbers own, sum{};
     std::memcpy(&own, keys + first, sizeof(own));
     for (std::size_t j = 0; j < count; ++j) sum -= keys[j] < own;  // -1 where true
-    std::int32_t rank[lanes];
+    std::int32_t rank[at_once];
     std::memcpy(rank, &sum, sizeof(rank));
-    for (std::size_t l = 0; l < lanes; ++l) ordered[rank[l]] = places[first + l];
+    for (std::size_t l = 0; l < at_once; ++l) ordered[rank[l]] = places[first + l];
   }
 }
 
@@ -180,11 +180,11 @@ bool LeafSearch::gather(std::size_t own) {
   for (std::size_t r = 0; r < runs_.size(); r += 2) {
     for (std::size_t i = runs_[r]; i < runs_[r + 1]; ++i) places_.push_back(static_cast<Index>(i));
   }
-  places_.resize(count + lanes, 0);
+  places_.resize(count + at_once, 0);
   const Point centre = 0.5 * leaf.low + 0.5 * leaf.high;
   const double scale = 1 / radius_;
-  for (auto* coordinate : {&x_, &y_, &z_}) coordinate->assign(count + lanes, infinity);
-  passed_.resize(count + lanes), keys_.resize(count + lanes);
+  for (auto* coordinate : {&x_, &y_, &z_}) coordinate->assign(count + at_once, infinity);
+  passed_.resize(count + at_once), keys_.resize(count + at_once);
   gather_runs(tree_.x.data(), runs_, centre.x, scale, x_.data());
   gather_runs(tree_.y.data(), runs_, centre.y, scale, y_.data());
   gather_runs(tree_.z.data(), runs_, centre.z, scale, z_.data());
@@ -210,7 +210,7 @@ bool LeafSearch::search_within(double reach, std::size_t place) {
   const float limit = static_cast<float>((reach + margin_) * (reach + margin_));
   const float x = std::exchange(x_[self], infinity);  // no neighbour of itself
   const std::size_t count =
-      pass({x_.data(), y_.data(), z_.data(), places_.data(), places_.size() - lanes}, x, y_[self], z_[self],
+      pass({x_.data(), y_.data(), z_.data(), places_.data(), places_.size() - at_once}, x, y_[self], z_[self],
            limit, passed_.data(), keys_.data());
   x_[self] = x;
   if (count < k_) return false;
