@@ -8,8 +8,8 @@ import plot
 LIMITS = {
     "read": (40, "the file once, the points once"),
     "arrange": (3 * 24 + 6 * 16, "points read twice and written; 16-byte places written, put into cells and sorted there"),
-    "neighbours": (24 + 40 * 4 * 2, "40 ids written, by way of the cache; about 150 distances are "
-                                     "compared a point, so comparisons bound it: 150 x 8 operations"),
+    "neighbours": (24 + 40 * 4 * 2, "40 ids written, by way of the cache; about 400 distances are "
+                                     "compared a point, up to sixteen at a time: 400 x 8 operations"),
     "boundary": (40 * 4 + 24 + 16, "40 ids read, 16 bytes written; 40 neighbours x 20 operations"),
     "survey": (40 * 4 + 2 * (80 + 24 + 6 * 4 + 2 * 44), "lists, frames, stars, two triangles a point, written and read "
                                                      "once; about 16 bisectors x 6 corners a cell"),

@@ -66,12 +66,26 @@ std::vector<Index> first_doubts(const Complex& complex, LocalSizes& sizes, const
   });
 }
 
+// Finds the sizes at the corners of the triangles beside these.
+void find_sizes_beside(const Complex& complex, const std::vector<Index>& triangles, LocalSizes& sizes,
+                       const Run& run) {
+  std::vector<Index> beside;
+  beside.reserve(3 * triangles.size());
+  for (const Index t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      if (const Index other = complex.across(t, k); other != none) beside.push_back(other);
+    }
+  }
+  sizes.find(vertices_of(complex, beside, run), run);
+}
+
 std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
                                       const std::vector<std::uint8_t>& barred, double doubtful,
                                       const Run& run) {
   const Spared is_spared(barred, sizes);
   constexpr int deepest = 12;  // triangles from the rim
   std::vector<Index> queue = first_doubts(complex, sizes, is_spared, doubtful, run);
+  find_sizes_beside(complex, queue, sizes, run);  // most of what the loop asks for, on all threads
   std::vector<std::uint8_t> depth(complex.size(), 0);
   for (const Index t : queue) depth[t] = 1;
   for (std::size_t i = 0; i < queue.size(); ++i) {
