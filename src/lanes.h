@@ -3,6 +3,8 @@
 // any width with the same bytes as one by one.
 #pragma once
 
+#include "rimline/points.h"
+
 namespace rimline {
 
 inline constexpr int lanes = 8;
@@ -14,5 +16,10 @@ struct alignas(64) Lanes {
   double& operator[](int l) { return number[l]; }
   double operator[](int l) const { return number[l]; }
 };
+
+// One of two points that are both known, coordinate by coordinate, so that a loop over lanes has no branch.
+inline Point choose(bool first, Point a, Point b) {
+  return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+}
 
 }  // namespace rimline

@@ -12,10 +12,6 @@ namespace {
 // What follows chooses between numbers that are both computed, never between ways, so that a loop over lanes
 // can be made of it.
 
-inline Point choose(bool first, Point a, Point b) {
-  return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
-}
-
 inline Point times(const Covariance& m, Point p) {
   return {m.xx * p.x + m.xy * p.y + m.xz * p.z, m.xy * p.x + m.yy * p.y + m.yz * p.z,
           m.xz * p.x + m.yz * p.y + m.zz * p.z};

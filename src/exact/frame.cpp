@@ -41,10 +41,6 @@ Covariance covariance(Points points, Index self, std::span<const Index> ids) {
   return {xx, xy, xz, yy, yz, zz};
 }
 
-inline Point choose(bool first, Point a, Point b) {
-  return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
-}
-
 // An eigenvector with the sign of a cross product of columns of m - lambda, all of which it is across: of the one
 // with the largest number on the diagonal and the one that makes the larger product with it. Any rule would do but
 // for ties, which grids are full of and the signs of axes decide. This is that of Eigen's closed form.

@@ -25,6 +25,11 @@ struct Proposal {
   auto rank() const { return std::tuple(-votes, size, triangle); }
 };
 
+// The size of a triangle: its circumradius over the largest spacing at its corners.
+double over_spacing(double radius, const Triangle& t, const std::vector<double>& spacing) {
+  return radius / std::max({spacing[t[0]], spacing[t[1]], spacing[t[2]]});
+}
+
 constexpr std::uint32_t nowhere = ~std::uint32_t{0};
 
 // The place in a star of the corner between a and b, in either order.
@@ -102,7 +107,7 @@ class StarReader {
       for (const std::size_t at : {stars_.start(v) + i, stars_.start(a) + in_a, stars_.start(b) + in_b})
         is_read_[at] = 1;  // no other triangle has this corner
       const double radius = circumradius(points_[v], points_[a], points_[b]);
-      if (size(radius, {v, a, b}) <= largest_)
+      if (over_spacing(radius, {v, a, b}, spacing_) <= largest_)
         agreed.push_back({{v, a, b}, {static_cast<std::uint32_t>(i), in_a, in_b}, radius});
     }
   }
@@ -117,13 +122,9 @@ class StarReader {
       const bool by_b = corner_between(stars_[b], v, a) != nowhere;
       if ((by_a && a < v) || (by_b && b < v)) continue;  // that one names it, too
       const double radius = circumradius(points_[v], points_[a], points_[b]);
-      const double s = size(radius, {v, a, b});
+      const double s = over_spacing(radius, {v, a, b}, spacing_);
       if (s <= largest_) rest.push_back({{v, a, b}, 1 + by_a + by_b, s});
     }
-  }
-
-  double size(double radius, const Triangle& t) const {
-    return radius / std::max({spacing_[t[0]], spacing_[t[1]], spacing_[t[2]]});
   }
 
   Points points_;
@@ -168,8 +169,7 @@ class Proposer {
 
   double size(const Triangle& t) const {
     const Points p = complex_.points();
-    const double h = std::max({spacing_[t[0]], spacing_[t[1]], spacing_[t[2]]});
-    return circumradius(p[t[0]], p[t[1]], p[t[2]]) / h;
+    return over_spacing(circumradius(p[t[0]], p[t[1]], p[t[2]]), t, spacing_);
   }
 
   void take_fitting(std::vector<Proposal> rest, const Run& run) {

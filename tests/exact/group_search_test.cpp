@@ -8,27 +8,26 @@
 #include <cmath>
 #include <vector>
 
-#include "exact/frame.h"
-#include "exact/propose.h"
-#include "exact/star.h"
+#include "exact/surface.h"
 #include "random.h"
-#include "rimline/neighbours.h"
 
 using namespace rimline;
 using namespace rimline::exact;
 
 namespace {
 
-// Random points, and some of the triangles over them that are doubted for no reason.
-struct Doubted {
+std::vector<Point> random_square() {
+  Random random(3);
   std::vector<Point> points;
-  Neighbours neighbours;
-  std::vector<double> spacing;
-  std::vector<Frame> frames;
-  Complex complex;
+  for (int i = 0; i < 1000; ++i) points.push_back({random.uniform(), random.uniform(), 0});
+  return points;
+}
+
+// A surface, and some of its triangles that are doubted for no reason.
+struct Doubted : Surface {
   Doubt doubt;
 
-  explicit Doubted(double share) : complex(make()) {
+  explicit Doubted(double share) : Surface(random_square()) {
     Random random(7);
     for (Index t = 0; t < complex.size(); ++t) {
       if (random.uniform() < share) doubt.triangles.push_back(t);
@@ -56,16 +55,6 @@ struct Doubted {
         slots[k] = position(doubt.vertices, complex.triangle(t)[k]);
       }
     }
-  }
-
-  Complex make() {
-    Random random(3);
-    for (int i = 0; i < 1000; ++i) points.push_back({random.uniform(), random.uniform(), 0});
-    neighbours = find_neighbours(points, 40, {});
-    spacing = local_spacing(points, neighbours);
-    frames = fit_frames(points, neighbours, {});
-    const Stars stars = find_stars(points, neighbours, spacing, frames, {});
-    return propose_surface(points, frames, stars, spacing, 3, {});
   }
 };
 

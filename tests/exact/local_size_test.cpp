@@ -10,13 +10,10 @@
 #include <numbers>
 #include <vector>
 
-#include "exact/frame.h"
-#include "exact/propose.h"
 #include "exact/ranks.h"
-#include "exact/star.h"
 #include "exact/star_levels.h"
+#include "exact/surface.h"
 #include "random.h"
-#include "rimline/neighbours.h"
 
 using namespace rimline;
 using namespace rimline::exact;
@@ -29,11 +26,6 @@ std::vector<Point> random_sheet(int count) {
   for (int i = 0; i < count; ++i)
     points.push_back({random.uniform(), random.uniform(), 0.01 * random.uniform()});
   return points;
-}
-
-Complex surface_of(Points points, const Neighbours& neighbours, const std::vector<Frame>& frames) {
-  const auto spacing = local_spacing(points, neighbours);
-  return propose_surface(points, frames, find_stars(points, neighbours, spacing, frames, {}), spacing, 3, {});
 }
 
 // Every value again and again, from the definition.
@@ -80,10 +72,8 @@ TEST_CASE("values at ranks are those of sorting, for spread out, tied, tiny, hug
 }
 
 TEST_CASE("sizes found for all at once, and kept over changes elsewhere, are those of the definition") {
-  const auto points = random_sheet(3000);
-  const Neighbours neighbours = find_neighbours(points, 40, {});
-  const auto frames = fit_frames(points, neighbours, {});
-  Complex complex = surface_of(points, neighbours, frames);
+  Surface surface(random_sheet(3000));
+  const auto& [points, neighbours, spacing, frames, complex] = surface;
   LocalSizes sizes(complex, neighbours);
   std::vector<Index> even;
   for (Index v = 0; v < complex.vertices(); v += 2) even.push_back(v);
@@ -95,17 +85,15 @@ TEST_CASE("sizes found for all at once, and kept over changes elsewhere, are tho
     kept[t] = 0;
     for (const Index v : complex.triangle(t)) changed[v] = 1;
   }
-  complex.keep_only(kept);
+  surface.complex.keep_only(kept);
   CHECK(differences(complex, neighbours, sizes) > 0);
   sizes.forget(changed, {});
   CHECK(differences(complex, neighbours, sizes) == 0);
 }
 
 TEST_CASE("levels of stars bracket the radii at ranks, and are fine") {
-  const auto points = random_sheet(2000);
-  const Neighbours neighbours = find_neighbours(points, 40, {});
-  const auto frames = fit_frames(points, neighbours, {});
-  const Complex complex = surface_of(points, neighbours, frames);
+  Surface surface(random_sheet(2000));
+  const auto& [points, neighbours, spacing, frames, complex] = surface;
   const StarLevels levels(complex, {});
   double middle_width = 0;
   int middle_count = 0;
@@ -160,10 +148,8 @@ TEST_CASE("stars of more triangles than a byte can count are not known, and have
 }
 
 TEST_CASE("limits never hide a triangle that is larger than usual, and tell most of the others") {
-  const auto points = random_sheet(3000);
-  const Neighbours neighbours = find_neighbours(points, 40, {});
-  const auto frames = fit_frames(points, neighbours, {});
-  Complex complex = surface_of(points, neighbours, frames);
+  Surface surface(random_sheet(3000));
+  const auto& [points, neighbours, spacing, frames, complex] = surface;
   LocalSizes sizes(complex, neighbours);
   for (const double margin : {0.0, 0.1, 0.4}) {
     sizes.find_limits(margin, {});
@@ -181,10 +167,8 @@ TEST_CASE("limits never hide a triangle that is larger than usual, and tell most
 }
 
 TEST_CASE("limits follow the triangles that change") {
-  const auto points = random_sheet(3000);
-  const Neighbours neighbours = find_neighbours(points, 40, {});
-  const auto frames = fit_frames(points, neighbours, {});
-  Complex complex = surface_of(points, neighbours, frames);
+  Surface surface(random_sheet(3000));
+  const auto& [points, neighbours, spacing, frames, complex] = surface;
   LocalSizes sizes(complex, neighbours);
   sizes.find_limits(0.1, {});
   // Most of the larger triangles of one half go, so that the others are larger than what is usual there.
@@ -195,7 +179,7 @@ TEST_CASE("limits follow the triangles that change") {
     kept[t] = 0;
     for (const Index v : x) changed[v] = 1;
   }
-  complex.keep_only(kept);
+  surface.complex.keep_only(kept);
   const auto hidden = [&] {
     LocalSizes fresh(complex, neighbours);
     int count = 0;

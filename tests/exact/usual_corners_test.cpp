@@ -8,9 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "exact/frame.h"
-#include "exact/propose.h"
-#include "exact/star.h"
+#include "exact/surface.h"
 #include "random.h"
 
 using namespace rimline;
@@ -33,14 +31,9 @@ std::vector<Point> disc(double off) {
 }
 
 // The surface through the points, and a jagged way along its rim.
-struct Sheet {
+struct Sheet : Surface {
   explicit Sheet(double off)
-      : points(disc(off)),
-        neighbours(find_neighbours(points, 40, {})),
-        spacing(local_spacing(points, neighbours)),
-        frames(fit_frames(points, neighbours, {})),
-        complex(propose_surface(points, frames, find_stars(points, neighbours, spacing, frames, {}), spacing,
-                                3, {})),
+      : Surface(disc(off)),
         sizes(complex, neighbours),
         kept(complex.size(), 1),
         rims(walk_rims(complex, kept)) {
@@ -57,11 +50,6 @@ struct Sheet {
     rim = std::move(teeth);
   }
 
-  std::vector<Point> points;
-  Neighbours neighbours;
-  std::vector<double> spacing;
-  std::vector<Frame> frames;
-  Complex complex;
   LocalSizes sizes;
   Kept kept;
   std::vector<std::vector<Index>> rims;
