@@ -4,55 +4,21 @@
 #include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include "first_touch.h"
+#include "morton.h"
 #include "parallel.h"
 #include "rimline/unfilled.h"
 
 namespace rimline {
 namespace {
-
-struct Box {
-  Point low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
-            std::numeric_limits<double>::max()};
-  Point high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest(),
-             std::numeric_limits<double>::lowest()};
-
-  void add(Point p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  void add(const Box& other) {
-    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y), std::min(low.z, other.low.z)};
-    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y), std::max(high.z, other.high.z)};
-  }
-  // Halves first: the sum of two ends may overflow.
-  Point centre() const { return 0.5 * low + 0.5 * high; }
-  double extent() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
-};
-
-// Spreads the low 21 bits of a number so that two zero bits follow each.
-std::uint64_t spread_bits(std::uint64_t bits) {
-  bits &= 0x1fffff;
-  bits = (bits | bits << 32) & 0x1f00000000ffff;
-  bits = (bits | bits << 16) & 0x1f0000ff0000ff;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00f;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
-  bits = (bits | bits << 2) & 0x1249249249249249;
-  return bits;
-}
-
-// Where a point lies on the curve, with 21 bits an axis.
-std::uint64_t morton_code(Point p, Point low, double scale) {
-  const auto cell = [scale](double offset) { return static_cast<std::uint64_t>(offset * scale); };
-  return spread_bits(cell(p.x - low.x)) | spread_bits(cell(p.y - low.y)) << 1 |
-         spread_bits(cell(p.z - low.z)) << 2;
-}
 
 // A point on its way to its place on the curve.
 struct Place {
@@ -60,19 +26,16 @@ struct Place {
   Index id;
 };
 
-// Puts the ids of the points that are finite into places, and those that are not apart, in order. Returns the
-// box of the first.
-Box put_finite(Points input, UnfilledVector<Place>& places, std::vector<Index>& not_finite, const Run& run) {
+// The box of the points that are finite. Names those that are not, in order.
+PointBox find_box(Points input, std::vector<Index>& not_finite, const Run& run) {
   constexpr std::size_t block = 16384;
   struct Part {
-    Box box;
+    PointBox box;
     bool all_finite = true;
   };
   std::vector<Part> parts((input.size() + block - 1) / block);
-  places.resize(input.size());
   parallel_tasks(parts.size(), Stage::Arrange, run, [&](std::size_t k) {
     for (std::size_t i = k * block; i < std::min(input.size(), (k + 1) * block); ++i) {
-      places[i].id = static_cast<Index>(i);
       if (is_finite(input[i])) {
         parts[k].box.add(input[i]);
       } else {
@@ -81,49 +44,93 @@ Box put_finite(Points input, UnfilledVector<Place>& places, std::vector<Index>& 
     }
   });
   run.check_cancel();
-  Box box;
-  bool all_finite = true;
-  for (const Part& part : parts) {
-    box.add(part.box);
-    all_finite = all_finite && part.all_finite;
-  }
-  if (all_finite) return box;
-  std::size_t kept = 0;
-  for (const Place& place : places) {
-    if (is_finite(input[place.id])) {
-      places[kept++] = place;
-    } else {
-      not_finite.push_back(place.id);
+  PointBox box;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    box.add(parts[k].box);
+    if (parts[k].all_finite) continue;
+    for (std::size_t i = k * block; i < std::min(input.size(), (k + 1) * block); ++i) {
+      if (!is_finite(input[i])) not_finite.push_back(static_cast<Index>(i));
     }
   }
-  places.resize(kept);
   return box;
 }
 
-// Sorts by code, then by coordinates, then by id: into cells by the highest bits that differ first, then all
-// cells at once.
-void sort_along_curve(UnfilledVector<Place>& places, Points points, const Run& run) {
-  constexpr int bits = 11;  // counters that fit a first-level cache
-  std::uint64_t differing = 0;
-  for (const Place& place : places) differing |= place.code ^ places[0].code;
-  const int shift = std::max(0, static_cast<int>(std::bit_width(differing)) - bits);
-  const auto cell_of = [&](const Place& p) { return (p.code >> shift) & ((1U << bits) - 1); };
-  std::vector<std::size_t> next((1U << bits) + 1, 0);
-  for (const Place& place : places) ++next[cell_of(place) + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  const std::vector<std::size_t> start = next;
-  UnfilledVector<Place> sorted(places.size());
-  for (const Place& place : places) sorted[next[cell_of(place)]++] = place;
+// Points on their way, in the cells that the highest bits of their codes make.
+struct Cells {
+  static constexpr int bits = 13;  // counters that fit a second-level cache
+  static constexpr std::size_t count = std::size_t{1} << bits;
+  int shift;                       // a cell is a code without so many of its lowest bits
+  UnfilledVector<Place> places;    // cell by cell, by id in each
+  std::vector<std::size_t> first;  // of each cell, and the end of the last
+};
+
+// Puts the points that are finite into their cells. Each block of them is counted first, and so knows where
+// in each cell it has to write.
+Cells put_in_cells(Points input, const MortonCurve& curve, const PointBox& box, const Run& run) {
+  Cells cells;
+  cells.shift = std::max(0, static_cast<int>(std::bit_width(curve.code(box.high))) - Cells::bits);
+  const std::size_t blocks = std::clamp<std::size_t>(input.size() / 32768, 1, 64);
+  const auto read_block = [&](std::size_t k, const auto& body) {
+    for (std::size_t i = input.size() * k / blocks; i < input.size() * (k + 1) / blocks; ++i) {
+      if (!is_finite(input[i])) continue;
+      const std::uint64_t code = curve.code(input[i]);
+      body(Place{code, static_cast<Index>(i)}, code >> cells.shift);
+    }
+  };
+  std::vector<std::uint32_t> next(blocks * Cells::count);  // of each block: numbers, then places
+  parallel_tasks(blocks, Stage::Arrange, run, [&](std::size_t k) {
+    read_block(k, [counts = &next[k * Cells::count]](Place, std::size_t cell) { ++counts[cell]; });
+  });
+  run.check_cancel();
+  cells.first.resize(Cells::count + 1);
+  for (std::size_t i = 0; i < next.size(); ++i) cells.first[i % Cells::count + 1] += next[i];
+  std::partial_sum(cells.first.begin(), cells.first.end(), cells.first.begin());
+  std::vector<std::size_t> at = cells.first;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const std::uint32_t number = next[i];
+    next[i] = static_cast<std::uint32_t>(at[i % Cells::count]);
+    at[i % Cells::count] += number;
+  }
+  cells.places.resize(cells.first.back());
+  parallel_tasks(blocks, Stage::Arrange, run, [&](std::size_t k) {
+    read_block(k, [&, places = &next[k * Cells::count]](Place place, std::size_t cell) {
+      cells.places[places[cell]++] = place;
+    });
+  });
+  run.check_cancel();
+  return cells;
+}
+
+// Sorts a cell by code, then by coordinates, then by id.
+void sort_cell(std::span<Place> places, int shift, Points points) {
+  constexpr std::size_t few = 512, many = std::size_t{1} << 20;
   const auto before = [&](const Place& a, const Place& b) {
     if (a.code != b.code) return a.code < b.code;
     const Point &p = points[a.id], &q = points[b.id];
     return std::tie(p.x, p.y, p.z, a.id) < std::tie(q.x, q.y, q.z, b.id);
   };
-  parallel_tasks(start.size() - 1, Stage::Arrange, run, [&](std::size_t c) {
-    tbb::parallel_sort(sorted.begin() + start[c], sorted.begin() + start[c + 1], before);  // may be nearly all
-  });
-  run.check_cancel();
-  places.swap(sorted);
+  if (places.size() < few) return std::sort(places.begin(), places.end(), before);
+  if (places.size() > many) return tbb::parallel_sort(places.begin(), places.end(), before);  // nearly all
+  // By the next two digits, after which few points are left together.
+  constexpr int digit = 11;
+  UnfilledVector<Place> other(places.size());
+  const int lowest = std::max(0, shift - 2 * digit);
+  const auto pass = [](std::span<const Place> from, std::span<Place> to, int by) {
+    const auto digit_of = [by](const Place& p) { return (p.code >> by) & ((1U << digit) - 1); };
+    std::array<std::uint32_t, (1U << digit) + 1> next{};
+    for (const Place& place : from) ++next[digit_of(place) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (const Place& place : from) to[next[digit_of(place)]++] = place;
+  };
+  pass(places, other, lowest);
+  pass(other, places, lowest + digit);
+  for (auto first = places.begin(); first != places.end();) {
+    const auto last = std::find_if(first + 1, places.end(), [&](const Place& p) {
+      return p.code >> lowest != first->code >> lowest;
+    });
+    if (last - first > 1) std::sort(first, last, before);
+    first = last;
+  }
 }
 
 // Moves the ids of the points i for which is_out(i), asked in order, to `left_out`, which ascends then.
@@ -143,19 +150,24 @@ void leave_out(Arrangement& arrangement, std::vector<Index>& left_out, const IsO
   std::sort(left_out.begin(), left_out.end());
 }
 
-// Reads the points in the order of their places; of those that coincide only the first stays.
-void take_distinct(const UnfilledVector<Place>& places, Points input, Arrangement& result, const Run& run) {
-  resize_together(result.points, places.size(), run);
-  resize_together(result.ids, places.size(), run);
+// Sorts the cells and reads the points in this order; of those that coincide only the first stays.
+void take_distinct(Cells& cells, Points input, Arrangement& result, const Run& run) {
+  resize_together(result.points, cells.places.size(), run);
+  resize_together(result.ids, cells.places.size(), run);
   std::atomic<bool> all_distinct = true;
   const auto repeats = [&](std::size_t i) {
-    return i > 0 && places[i].code == places[i - 1].code && input[places[i].id] == input[places[i - 1].id];
+    return i > 0 && input[cells.places[i].id] == input[cells.places[i - 1].id];
   };
-  parallel_for_each(places.size(), Stage::Arrange, run, [&](Index i) {
-    result.points[i] = input[places[i].id] - result.origin;
-    result.ids[i] = places[i].id;
-    if (repeats(i)) all_distinct = false;
+  parallel_tasks(Cells::count, Stage::Arrange, run, [&](std::size_t c) {
+    const std::size_t first = cells.first[c], last = cells.first[c + 1];
+    sort_cell({&cells.places[0] + first, last - first}, cells.shift, input);
+    for (std::size_t i = first; i < last; ++i) {
+      result.points[i] = input[cells.places[i].id] - result.origin;
+      result.ids[i] = cells.places[i].id;
+      if (i > first && repeats(i)) all_distinct = false;
+    }
   });
+  run.check_cancel();
   if (!all_distinct) leave_out(result, result.duplicates, repeats);
 }
 
@@ -185,17 +197,13 @@ Arrangement arrange(Points input, const Run& run) {
     throw Error(ErrorCode::OutOfMemory, "more points than ids: at most 2,147,483,646 can be taken");
   }
   Arrangement result;
-  UnfilledVector<Place> places;
-  const Box box = put_finite(input, places, result.not_finite, run);
-  if (places.empty()) throw Error(ErrorCode::TooFewPoints, "no point has finite coordinates");
+  const PointBox box = find_box(input, result.not_finite, run);
+  if (result.not_finite.size() == input.size()) {
+    throw Error(ErrorCode::TooFewPoints, "no point has finite coordinates");
+  }
   result.origin = box.centre();
-
-  constexpr double cells = (1 << 21) - 1;
-  const double scale = box.extent() > 0 ? cells / box.extent() : 0;
-  parallel_for_each(places.size(), Stage::Arrange, run,
-                    [&](Index i) { places[i].code = morton_code(input[places[i].id], box.low, scale); });
-  sort_along_curve(places, input, run);
-  take_distinct(places, input, result, run);
+  Cells cells = put_in_cells(input, MortonCurve(box), box, run);
+  take_distinct(cells, input, result, run);
   return result;
 }
 

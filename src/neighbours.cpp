@@ -15,7 +15,7 @@
 namespace rimline {
 namespace {
 
-constexpr int points_in_leaf = 32;          // at most; measured
+constexpr int points_in_leaf = 40;          // at most; measured
 constexpr std::size_t leaves_in_task = 64;  // about a thousand points: long enough to hide its cost
 constexpr int most_averaged = 6;            // distances to neighbours, for the spacing
 

@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <tuple>
 
 #include "random.h"
 #include "shapes.h"
@@ -63,6 +65,54 @@ TEST_CASE("the curve visits the eight cells of a cube in the order x, y, z") {
   const std::vector<Point> cube{{1, 1, 1}, {0, 1, 1}, {1, 0, 1}, {0, 0, 1},
                                 {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}};
   CHECK(arrange(cube, {}).ids == std::vector<Index>{7, 6, 5, 4, 3, 2, 1, 0});
+}
+
+// Bit by bit, of the cell of a point among 2^21 - 1 an axis: the oracle.
+std::uint64_t code_by_bits(Point p, Point low, double extent) {
+  const double scale = ((1 << 21) - 1) / extent;
+  const std::array<double, 3> offsets{p.x - low.x, p.y - low.y, p.z - low.z};
+  std::uint64_t code = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto cell = static_cast<std::uint64_t>(offsets[axis] * scale);
+    for (int bit = 0; bit < 21; ++bit) code |= (cell >> bit & 1) << (3 * bit + axis);
+  }
+  return code;
+}
+
+TEST_CASE("many points are in the order of the curve, then of their coordinates, then of their ids") {
+  for (const double far : {1.0, 3e2, 1e5, 1e9}) {  // few points a cell to all in a few
+    auto points = random_points(70'000, 16);
+    for (std::size_t i = 0; i < points.size(); i += 3) points[i].z = 0.3;
+    for (std::size_t i = 500; i < points.size(); i += 500) points[i] = points[i / 2];
+    points[0] = {0, 0, 0};
+    points[1] = {far, 0, 0};
+    for (std::size_t i = 2; i < points.size(); i += 777) points[i].y = nan;
+    std::vector<std::tuple<std::uint64_t, double, double, double, Index>> sorted;
+    Arrangement expected;
+    for (Index i = 0; i < points.size(); ++i) {
+      const Point p = points[i];
+      if (is_finite(p)) {
+        sorted.emplace_back(code_by_bits(p, {0, 0, 0}, std::max(far, 1.0)), p.x, p.y, p.z, i);
+      } else {
+        expected.not_finite.push_back(i);
+      }
+    }
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      const Index id = std::get<4>(sorted[i]);
+      const bool repeats = i > 0 && points[id] == points[std::get<4>(sorted[i - 1])];
+      (repeats ? expected.duplicates : expected.ids).push_back(id);
+    }
+    std::sort(expected.duplicates.begin(), expected.duplicates.end());
+    for (const int threads : {1, 2}) {
+      Run run;
+      run.threads = threads;
+      const Arrangement a = arrange(points, run);
+      CHECK(a.ids == expected.ids);
+      CHECK(a.duplicates == expected.duplicates);
+      CHECK(a.not_finite == expected.not_finite);
+    }
+  }
 }
 
 TEST_CASE("points next to each other on the curve are near each other in space") {

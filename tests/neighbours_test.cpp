@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "random.h"
+#include "rimline/arrange.h"
 #include "shapes.h"
 
 namespace rimline {
@@ -179,6 +180,49 @@ TEST_CASE("distances so small or large that their squares have no double are sti
     auto points = random_points(200, 14);
     for (Point& p : points) p = scale * p;
     check_against_brute_force(points, 9);
+  }
+}
+
+// Puts the points into another order and looks whether each still has the same neighbours. No distances tie.
+void check_in_any_order(Points points, const std::vector<Index>& order, const Neighbours& known) {
+  std::vector<Point> ordered;
+  for (const Index i : order) ordered.push_back(points[i]);
+  const Neighbours neighbours = find_neighbours(ordered, known.k, {});
+  std::size_t wrong_lists = 0;
+  for (Index i = 0; i < ordered.size(); ++i) {
+    const auto list = neighbours.of(i), known_list = known.of(order[i]);
+    wrong_lists += !std::equal(list.begin(), list.end(), known_list.begin(), known_list.end(),
+                               [&](Index a, Index b) { return order[a] == b; });
+  }
+  CHECK(wrong_lists == 0);
+}
+
+TEST_CASE("points along a Morton curve have the neighbours that they have in any order") {
+  auto cloud = random_points(60'000, 21);
+  for (std::size_t i = 0; i < 40'000; ++i) cloud[i].z = 0.1 * std::sin(5 * cloud[i].x);  // a sheet
+  for (std::size_t i = 0; i < 20'000; ++i) cloud[i] = 1e-3 * cloud[i] + Point{0.4, 0.3, 0.2};
+  const Neighbours known = find_neighbours(cloud, 12, {});
+  for (Index i = 0; i < cloud.size(); i += 997) {
+    const auto list = known.of(i);
+    CHECK(std::vector<Index>(list.begin(), list.end()) == nearest_by_brute_force(cloud, i, 12));
+  }
+  auto order = arrange(cloud, {}).ids;
+  check_in_any_order(cloud, order, known);
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 200; ++i) std::swap(order[random() % order.size()], order[random() % order.size()]);
+  check_in_any_order(cloud, order, known);  // most follow the curve, so that its cells are taken
+  std::rotate(order.begin(), order.begin() + 7'000, order.end());
+  check_in_any_order(cloud, order, known);  // the first point lies behind the last
+}
+
+TEST_CASE("many points in one cell of the curve, beside a far one, have the neighbours of brute force") {
+  auto points = random_points(20'000, 22);
+  for (Point& p : points) p = 1e-9 * p;
+  points.push_back({1, 1, 1});
+  const Neighbours neighbours = find_neighbours(points, 5, {});
+  for (Index i = 0; i < points.size(); i += 997) {
+    const auto list = neighbours.of(i);
+    CHECK(std::vector<Index>(list.begin(), list.end()) == nearest_by_brute_force(points, i, 5));
   }
 }
 

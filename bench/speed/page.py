@@ -236,10 +236,9 @@ stage *loops* decides which of them are of the surface, and orders, rates and la
 `rimline reconstruct`:
 
 {where(r, "reconstruct", 1_000_000)}
-What stays on one core: the radix sort of *arrange* and the groups of stray points (each step needs the one before;
-memory bound); in *survey* the queue that fills notches, smallest first; in *loops* the walks along rims and the search
-within one group of doubtful triangles (groups are searched at the same time). Sums of numbers are taken in a
-fixed order, so that bytes do not depend on threads.
+What stays on one core: in *survey* the queue that fills notches, smallest first; in *loops* the walks along rims and
+the search within one group of doubtful triangles (groups are searched at the same time). Sums of numbers are taken in
+a fixed order, so that bytes do not depend on threads.
 
 ## Stages alone
 

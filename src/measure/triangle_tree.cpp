@@ -7,6 +7,7 @@
 
 #include "first_touch.h"
 #include "parallel.h"
+#include "select.h"
 
 namespace rimline {
 
@@ -84,11 +85,8 @@ void TriangleTree::build(std::vector<Item>& items, Index id, Index begin, Index 
     if (high[k] - low[k] > high[side] - low[side]) side = k;
   }
   const Index middle = begin + (end - begin) / 2;
-  std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end,
-                   [side](const Item& s, const Item& t) {
-                     const double a = s.place[side], b = t.place[side];
-                     return a < b || (a == b && s.triangle < t.triangle);
-                   });
+  select(&items[begin], &items[begin] + (middle - begin), &items[begin] + (end - begin),
+         [side](const Item& item) { return item.place[side]; });
   node.left = id + 1;
   node.right = node.left + node_count_.at(middle - begin);
   const auto build_left = [&] { build(items, node.left, begin, middle); };

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A balanced k-d tree whose shape is arithmetic: nothing is stored but boxes and points.
+// A k-d tree.
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -30,21 +29,26 @@ inline double squared_gap(const Bounds& a, const Bounds& b) {
   return dot(d, d);
 }
 
-// Node 1 is the root, node v has the children 2 v and 2 v + 1. A level halves the points of the level above
-// at the median of the box's longest side, so that leaves hold leaf / 2 to `leaf` points, whatever their
-// distribution.
+// Levels halve the points of the level above at the median of the box's longest side, so that leaves hold
+// leaf / 2 to `leaf` points, whatever their distribution. Where the points come along a Morton curve, as from
+// arrange(), the upper levels are the cells of this curve, whose points are together already, and the rest is
+// built cell by cell in the cache. The tree's shape changes nothing of what is found in it.
 class KdTree {
  public:
+  struct Node {
+    Bounds bounds;
+    std::uint32_t begin, end;  // places of its points in x, y, z, id
+    std::uint32_t child;       // the first of two that follow each other, or 0: a leaf
+    bool is_leaf() const { return child == 0; }
+  };
+
   KdTree(Points points, int leaf, const Run& run);
 
+  static constexpr std::size_t root = 0;
   std::size_t size() const { return id.size(); }
-  std::size_t leaf_count() const { return std::size_t{1} << depth_; }
-  std::size_t leaf_node(std::size_t leaf) const { return leaf_count() + leaf; }
-  bool is_leaf(std::size_t node) const { return node >= leaf_count(); }
-  // The places of a node's points: [begin, end) of x, y, z, id.
-  std::size_t begin(std::size_t node) const { return first_[leftmost_leaf(node, node)]; }
-  std::size_t end(std::size_t node) const { return first_[leftmost_leaf(node, node + 1)]; }
-  const Bounds& bounds(std::size_t node) const { return bounds_[node]; }
+  std::size_t leaf_count() const { return leaves_.size(); }
+  const Node& node(std::size_t node) const { return nodes_[node]; }
+  std::size_t leaf_node(std::size_t leaf) const { return leaves_[leaf]; }
   Point point(std::size_t place) const { return {x[place], y[place], z[place]}; }
 
   // The points in the order of the leaves, a coordinate an array; id: their ids in the input.
@@ -56,18 +60,18 @@ class KdTree {
     double coordinate[3];
     Index id;
   };
-  // The leftmost leaf below `other`, which is on the level of `node`, or one behind its end.
-  std::size_t leftmost_leaf(std::size_t node, std::size_t other) const {
-    return (other << (depth_ + 1 - std::bit_width(node))) - leaf_count();
-  }
-  void split(UnfilledVector<Item>& items, std::size_t node);
-  static void select(Item* first, Item* nth, Item* last, int axis);
-  template <class Compare>
-  static Item* partition(Item* first, Item* last, int axis, double pivot, const Compare& is_low);
+  // A node whose subtree is balanced: 2^depth leaves. Its points are those at its places in the input, too.
+  struct Cell {
+    std::size_t node, first_below, first_leaf;
+    int depth;
+  };
+  void split_along_curve(Points points);
+  std::vector<Cell> make_cells(int leaf);
+  void build(const Cell& cell, Points points, UnfilledVector<Item>& items);
+  void split(const Cell& cell, Item* items, std::size_t heap);
 
-  int depth_ = 0;
-  std::vector<std::size_t> first_;  // place of each leaf's first point, and the number of points
-  std::vector<Bounds> bounds_;      // of each node
+  UnfilledVector<Node> nodes_;
+  UnfilledVector<std::uint32_t> leaves_;  // their nodes, in the order of places
 };
 
 }  // namespace rimline

@@ -133,16 +133,17 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 LeafSearch::LeafSearch(const KdTree& tree, int k) : tree_(tree), k_(static_cast<std::size_t>(k)) {}
 
 void LeafSearch::search(std::size_t leaf, Neighbours& result) {
-  const std::size_t node = tree_.leaf_node(leaf);
-  bool gathered = gather(node);
+  const std::size_t own = tree_.leaf_node(leaf);
+  const KdTree::Node& node = tree_.node(own);
+  bool gathered = gather(own);
   double most = 0;
-  for (std::size_t place = tree_.begin(node); place < tree_.end(node); ++place) {
+  for (std::size_t place = node.begin; place < node.end; ++place) {
     if (!gathered || !search_gathered(place)) {
       search_tree(place);
       // The rest of the leaf needs about as much.
       const double needed = leaf_slack * std::sqrt(squared_[k_ - 1]);
       radius_ = gathered ? std::max(radius_, needed) : needed;
-      gathered = gather(node);
+      gathered = gather(own);
     }
     most = std::max(most, squared_[k_ - 1]);
     write(place, result);
@@ -152,23 +153,24 @@ void LeafSearch::search(std::size_t leaf, Neighbours& result) {
 
 // Collects the points of all leaves within the radius of this one. False where the radius is of no use.
 bool LeafSearch::gather(std::size_t own) {
-  const Bounds& leaf = tree_.bounds(own);
+  const Bounds& leaf = tree_.node(own).bounds;
   if (!(radius_ > least_radius && radius_ < most_radius)) return false;
   runs_.clear();
   std::size_t count = 0;
-  stack_.assign(1, 1);
+  stack_.assign(1, KdTree::root);
   while (!stack_.empty()) {
-    const std::size_t node = stack_.back();
+    const std::size_t at = stack_.back();
     stack_.pop_back();
-    if (squared_gap(tree_.bounds(node), leaf) > radius_ * radius_) continue;
-    if (!tree_.is_leaf(node)) {
-      stack_.push_back(2 * node + 1);
-      stack_.push_back(2 * node);
+    const KdTree::Node& node = tree_.node(at);
+    if (squared_gap(node.bounds, leaf) > radius_ * radius_) continue;
+    if (!node.is_leaf()) {
+      stack_.push_back(node.child + 1);
+      stack_.push_back(node.child);
       continue;
     }
     if (count > most_gathered * (k_ + 8)) return false;
-    const std::size_t first = tree_.begin(node), last = tree_.end(node);
-    if (node == own) self_ = count, first_ = first;
+    const std::size_t first = node.begin, last = node.end;
+    if (at == own) self_ = count, first_ = first;
     if (!runs_.empty() && runs_.back() == first) {
       runs_.back() = last;
     } else {
@@ -258,27 +260,28 @@ void LeafSearch::sort_found() {
 
 void LeafSearch::search_tree(std::size_t place) {
   found_.clear();
-  visit(1, place);
+  visit(KdTree::root, place);
   std::sort_heap(found_.begin(), found_.end(),
                  [this](const Found& a, const Found& b) { return before(a, b); });
   take_found();
 }
 
 // Keeps the k best in a heap with the worst on top. Nodes as far as the worst are visited: ties.
-void LeafSearch::visit(std::size_t node, std::size_t place) {
+void LeafSearch::visit(std::size_t at, std::size_t place) {
+  const KdTree::Node& node = tree_.node(at);
   const Point point = tree_.point(place);
   const auto order = [this](const Found& a, const Found& b) { return before(a, b); };
-  if (!tree_.is_leaf(node)) {
-    std::size_t child[2] = {2 * node, 2 * node + 1};
+  if (!node.is_leaf()) {
+    const std::size_t child[2] = {node.child, node.child + std::size_t{1}};
     double far[2];
-    for (const int i : {0, 1}) far[i] = squared_gap(tree_.bounds(child[i]), {point, point});
+    for (const int i : {0, 1}) far[i] = squared_gap(tree_.node(child[i]).bounds, {point, point});
     const int nearer = far[1] < far[0];
     for (const int i : {nearer, 1 - nearer}) {
       if (found_.size() < k_ || far[i] <= found_.front().squared) visit(child[i], place);
     }
     return;
   }
-  for (std::size_t other = tree_.begin(node); other < tree_.end(node); ++other) {
+  for (std::size_t other = node.begin; other < node.end; ++other) {
     const Found found{squared_distance(tree_.point(other), point), static_cast<Index>(other)};
     if (other == place || (found_.size() == k_ && !before(found, found_.front()))) continue;
     if (found_.size() == k_) {

@@ -27,14 +27,14 @@ class LeafSearch {
     Index place;     // in the tree
   };
 
-  bool gather(std::size_t leaf_node);
+  bool gather(std::size_t own);
   bool search_gathered(std::size_t place);
   bool search_within(double reach, std::size_t place);
   void sort_passed(std::size_t count, Point point);
   void sort_found();
   void take_found();
   void search_tree(std::size_t place);
-  void visit(std::size_t node, std::size_t place);
+  void visit(std::size_t at, std::size_t place);
   bool before(const Found& a, const Found& b) const;
   void write(std::size_t place, Neighbours& result) const;
 
