@@ -8,6 +8,7 @@
 
 #include "first_touch.h"
 #include "parallel.h"
+#include "selection.h"
 
 namespace rimline::exact {
 
@@ -99,11 +100,9 @@ void Complex::add(const Triangle& triangle) {
 }
 
 void Complex::keep_only(const std::vector<std::uint8_t>& kept, const Run& run) {
-  std::vector<Index> id;  // of the triangles that stay
-  resize_together(id, triangles_.size(), run);
-  Index count = 0;
-  for (Index t = 0; t < size(); ++t) id[t] = kept[t] ? count++ : none;
-  if (count == size()) return;
+  const Selection stay(kept, Stage::Loops, run);
+  if (stay.is_all()) return;
+  const UnfilledVector<Index> id = stay.places();
   const auto renumber = [&](Index t) { return t == none ? none : id[t]; };
   parallel_for_each(stars_.size(), Stage::Loops, run, [&](Index v) {
     Place& place = stars_[v];
@@ -115,7 +114,7 @@ void Complex::keep_only(const std::vector<std::uint8_t>& kept, const Run& run) {
     for (std::size_t t = 0; t < items.size(); ++t) {
       if (id[t] != none) items[id[t]] = changed(items[t]);
     }
-    items.resize(count);
+    items.resize(stay.size());
   };
   const auto as_it_is = [](const auto& item) { return item; };
   parallel_tasks(3, Stage::Loops, run, [&](std::size_t k) {

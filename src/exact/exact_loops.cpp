@@ -30,6 +30,7 @@
 #include "exact/weave.h"
 #include "parallel.h"
 #include "rimline/loops.h"
+#include "selection.h"
 
 namespace rimline {
 
@@ -90,11 +91,8 @@ class Survey {
     if (blur_.noise > 0 || blur_.irregular > 0) redraw_loops();
     if (!raster_) rate_at_cuts();
     rate_loops();
-    label_points();
-    result_.triangles.reserve(complex_.size());
-    for (Index t = 0; t < complex_.size(); ++t) {
-      if (kept_[t]) result_.triangles.push_back(complex_.triangle(t));
-    }
+    label_rims();
+    result_.triangles = Selection(kept_, Stage::Loops, run_).of(complex_.triangles());
     return std::move(result_);
   }
 
@@ -234,6 +232,18 @@ class Survey {
         add(edges_twice[c], std::exchange(edges, 0));
       }
     });
+    visit_stars();
+    for (Index c = 0; c < sheets_.count(); ++c) {
+      SurfaceComponent& s = result_.components[c];
+      s.orientable = sheets_.orientable[c];
+      s.euler = static_cast<long long>(s.points) - static_cast<long long>(edges_twice[c] / 2) +
+                static_cast<long long>(s.triangles);
+    }
+  }
+
+  // Counts the points of each component, and tells those that are on a surface from the others.
+  void visit_stars() {
+    result_.label.resize(points_.size());
     parallel_slices(points_.size(), Stage::Loops, run_, [&](std::size_t begin, std::size_t end) {
       std::vector<Index> here;  // components that a vertex is on
       Index last = none;
@@ -241,24 +251,21 @@ class Survey {
       for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
         here.clear();
         Index newest = none;  // most triangles are on the same as the one before
+        bool on_surface = false;
         for (const Index t : complex_.star(v)) {
           const Index c = sheets_.of_triangle[t];
           if (c == none || c == newest || std::find(here.begin(), here.end(), c) != here.end()) continue;
           newest = c;
           here.push_back(c);
+          on_surface |= result_.components[c].triangles >= least_sheet;
           if (c != last && last != none) add(result_.components[last].points, std::exchange(points, 0));
           last = c;
           ++points;
         }
+        result_.label[v] = on_surface ? PointLabel::Interior : PointLabel::Stray;
       }
       if (last != none) add(result_.components[last].points, points);
     });
-    for (Index c = 0; c < sheets_.count(); ++c) {
-      SurfaceComponent& s = result_.components[c];
-      s.orientable = sheets_.orientable[c];
-      s.euler = static_cast<long long>(s.points) - static_cast<long long>(edges_twice[c] / 2) +
-                static_cast<long long>(s.triangles);
-    }
   }
 
   Index triangle_at(Index a, Index b) const { return kept_triangle(complex_, kept_, a, b); }
@@ -494,16 +501,8 @@ class Survey {
     result_.probability[id] = std::max(result_.probability[id], static_cast<float>(p));
   }
 
-  void label_points() {
+  void label_rims() {
     auto& label = result_.label;
-    label.resize(points_.size());
-    parallel_for_each(points_.size(), Stage::Loops, run_, [&](Index v) {
-      const auto star = complex_.star(v);
-      const bool on_surface = std::any_of(star.begin(), star.end(), [&](Index t) {
-        return kept_[t] && result_.components[sheets_.of_triangle[t]].triangles >= least_sheet;
-      });
-      label[v] = on_surface ? PointLabel::Interior : PointLabel::Stray;
-    });
     for (const Candidate& c : candidates_) {
       if (c.returned) continue;
       for (const Index v : c.loop.points) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact/rim_curve.h"
 
+#include <oneapi/tbb/parallel_sort.h>
+#include <oneapi/tbb/task_arena.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <atomic>
@@ -197,11 +200,12 @@ class Curve {
 
 // Where a point lies over the curve.
 struct Place {
-  Index point;
+  Index point = none;
   double t = 0, out = 0;  // out: in spacings, as the weave has them
   std::size_t station = 0;
   double squared_distance = infinite;
   Point normal = {};
+  bool is_bead = false;
 };
 
 // Numbers points in the order in which they are asked for first. An open hash table.
@@ -241,8 +245,10 @@ class Places {
       curve.set_weaves(offsets_behind(neighbours));
       for (Place& p : found_) p.out *= station_of(p).out_weave;
     }
-    std::sort(found_.begin(), found_.end(), [](const Place& a, const Place& b) {
-      return std::tie(b.out, a.point) < std::tie(a.out, b.point);
+    tbb::task_arena(thread_count(run)).execute([&] {
+      tbb::parallel_sort(found_.begin(), found_.end(), [](const Place& a, const Place& b) {
+        return std::tie(b.out, a.point) < std::tie(a.out, b.point);
+      });
     });
   }
 
@@ -284,14 +290,18 @@ class Places {
     PlaceNumbers numbers(beads.size() * in_list);
     std::vector<std::uint32_t> asked;  // the place of each bead and of its neighbours, bead after bead
     asked.reserve(beads.size() * in_list);
+    std::vector<Index> points;  // of the places
     const auto ask = [&](Index point) {
       asked.push_back(numbers.of(point));
-      if (asked.back() == found_.size()) found_.push_back({point});
+      if (asked.back() == points.size()) points.push_back(point);
     };
     for (const Bead& bead : beads) {
       ask(bead.point);
       for (const Index v : neighbours.of(bead.point)) ask(v);
     }
+    found_.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) found_[i].point = points[i];
+    for (std::size_t i = 0; i < asked.size(); i += in_list) found_[asked[i]].is_bead = true;
     std::vector<std::uint32_t> start(found_.size() + 2, 0);  // of the places, in `about`
     for (const std::uint32_t place : asked) ++start[place + 2];
     std::partial_sum(start.begin(), start.end(), start.begin());
@@ -367,13 +377,10 @@ class Places {
 };
 
 // Median place of the beads across the curve.
-double row_of(const Places& places, const std::vector<Bead>& beads) {
-  std::vector<Index> ids;
-  for (const Bead& bead : beads) ids.push_back(bead.point);
-  std::sort(ids.begin(), ids.end());
+double row_of(const Places& places) {
   std::vector<double> out;
   for (const Place& p : places.found()) {
-    if (std::binary_search(ids.begin(), ids.end(), p.point)) out.push_back(p.out);
+    if (p.is_bead) out.push_back(p.out);
   }
   return out.empty() ? 0 : out[out.size() / 2];  // the places descend
 }
@@ -523,7 +530,7 @@ Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<do
   for (int round = 0; round < rounds; ++round) {
     if (!curve.fit(beads, static_cast<double>(rim.size()), window)) return {};
     const Places places(curve, points, neighbours, beads, run);
-    std::size_t count = expected_count(curve, places, row_of(places, beads));
+    std::size_t count = expected_count(curve, places, row_of(places));
     if (count < shortest || count >= places.found().size()) return {};
     const std::size_t close = curve.woven() ? 0 : beside(count, blur);  // rows are not strewn
     // What is behind a rim with more points than that does not tell its points.
@@ -531,12 +538,12 @@ Redrawn redraw(Points points, const Neighbours& neighbours, const std::vector<do
     count = places.valley(count);
     const auto& all = places.found();
     const std::size_t last = std::min(all.size() - 1, count + close);
+    if (round + 1 < rounds) {
+      beads = outermost(all, last);
+      continue;
+    }
     const bool even = blur.noise > 0 && blur.irregular < 0.5 && !curve.woven();
-    on_rim =
-        even && round + 1 == rounds ? likeliest_way(curve, all, count, blur.noise) : outermost(all, count);
-    beads = outermost(all, last);
-    result.near.clear();
-    result.depth.clear();
+    on_rim = even ? likeliest_way(curve, all, count, blur.noise) : outermost(all, count);
     const double line = parting_line(all, count, last, blur);
     for (const Place& p : all) {
       result.near.push_back(p.point);

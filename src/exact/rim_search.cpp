@@ -2,6 +2,7 @@
 #include "exact/rim_search.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -37,10 +38,22 @@ class Spared {
 
 // The vertices of the triangles, ascending.
 std::vector<Index> vertices_of(const Complex& complex, const std::vector<Index>& triangles, const Run& run) {
-  std::vector<std::uint8_t> marked(complex.vertices(), 0);
-  for (const Index t : triangles) {
-    for (const Index v : complex.triangle(t)) marked[v] = 1;
+  constexpr std::size_t few = 256;  // points to a triangle: with more it takes longer to look at all of them
+  if (triangles.size() * few < complex.vertices()) {
+    std::vector<Index> found;
+    for (const Index t : triangles) {
+      const Triangle& x = complex.triangle(t);
+      found.insert(found.end(), x.begin(), x.end());
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
+  std::vector<std::uint8_t> marked(complex.vertices(), 0);
+  parallel_for_each(triangles.size(), Stage::Loops, run, [&](Index i) {
+    for (const Index v : complex.triangle(triangles[i]))
+      std::atomic_ref(marked[v]).store(1, std::memory_order_relaxed);
+  });
   return parallel_gather<Index>(marked.size(), Stage::Loops, run, [&](Index v, std::vector<Index>& found) {
     if (marked[v]) found.push_back(v);
   });
@@ -66,17 +79,29 @@ std::vector<Index> first_doubts(const Complex& complex, LocalSizes& sizes, const
   });
 }
 
-// Finds the sizes at the corners of the triangles beside these.
-void find_sizes_beside(const Complex& complex, const std::vector<Index>& triangles, LocalSizes& sizes,
-                       const Run& run) {
+// The triangles beside these that are not among the seen yet, which they are then.
+std::vector<Index> see_beside(const Complex& complex, const std::vector<Index>& triangles,
+                              std::vector<std::uint8_t>& seen) {
   std::vector<Index> beside;
-  beside.reserve(3 * triangles.size());
+  beside.reserve(triangles.size());
   for (const Index t : triangles) {
-    for (int k = 0; k < 3; ++k) {
-      if (const Index other = complex.across(t, k); other != none) beside.push_back(other);
+    for (const Index other : complex.beside(t)) {
+      if (other == none || seen[other]) continue;
+      seen[other] = 1;
+      beside.push_back(other);
     }
   }
-  sizes.find(vertices_of(complex, beside, run), run);
+  return beside;
+}
+
+// Those of the triangles that are doubtful where doubt is beside them.
+std::vector<Index> more_doubts(const Complex& complex, const std::vector<Index>& triangles, LocalSizes& sizes,
+                               const Spared& is_spared, double doubtful, const Run& run) {
+  sizes.find(vertices_of(complex, triangles, run), run);
+  return parallel_gather<Index>(triangles.size(), Stage::Loops, run, [&](Index i, std::vector<Index>& found) {
+    const Triangle& x = complex.triangle(triangles[i]);
+    if (!is_spared(x) && sizes.log_ratio(x) > doubtful) found.push_back(triangles[i]);
+  });
 }
 
 std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
@@ -84,24 +109,16 @@ std::vector<Index> doubtful_triangles(const Complex& complex, LocalSizes& sizes,
                                       const Run& run) {
   const Spared is_spared(barred, sizes);
   constexpr int deepest = 12;  // triangles from the rim
-  std::vector<Index> queue = first_doubts(complex, sizes, is_spared, doubtful, run);
-  find_sizes_beside(complex, queue, sizes, run);  // most of what the loop asks for, on all threads
-  std::vector<std::uint8_t> depth(complex.size(), 0);
-  for (const Index t : queue) depth[t] = 1;
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const Index t = queue[i];
-    if (depth[t] >= deepest) continue;
-    for (int k = 0; k < 3; ++k) {
-      const Index other = complex.across(t, k);
-      if (other == none || depth[other] || is_spared(complex.triangle(other)) ||
-          sizes.log_ratio(complex.triangle(other)) <= doubtful)
-        continue;
-      depth[other] = static_cast<std::uint8_t>(depth[t] + 1);
-      queue.push_back(other);
-    }
+  std::vector<Index> all = first_doubts(complex, sizes, is_spared, doubtful, run);
+  std::vector<std::uint8_t> seen(complex.size(), 0);
+  for (const Index t : all) seen[t] = 1;
+  std::vector<Index> layer = all;
+  for (int depth = 1; depth < deepest && !layer.empty(); ++depth) {
+    layer = more_doubts(complex, see_beside(complex, layer, seen), sizes, is_spared, doubtful, run);
+    all.insert(all.end(), layer.begin(), layer.end());
   }
-  std::sort(queue.begin(), queue.end());
-  return queue;
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 // The position of an id among ascending ones, or `certain` where it is not among them.

@@ -34,130 +34,19 @@ struct Block {
   std::vector<Seam> seams;
 };
 
-// What blocks find side by side: no triangle is turned yet.
-class Blocks {
- public:
-  Blocks(const Complex& complex, const Kept& kept, const Run& run)
-      : complex_(complex),
-        kept_(kept),
-        piece_of_(complex.size()),
-        turned_(complex.size()),
-        blocks_((static_cast<std::size_t>(complex.size()) + block_size - 1) / block_size) {
-    parallel_tasks(blocks_.size(), Stage::Loops, run, [&](std::size_t b) { walk(b); });
-    run.check_cancel();
-    // Numbered through.
-    start_.push_back(0);
-    for (const Block& block : blocks_)
-      start_.push_back(start_.back() + static_cast<Index>(block.pieces.size()));
-  }
-
-  Index count() const { return start_.back(); }
-  const std::vector<Block>& all() const { return blocks_; }
-  Index piece(Index t) const {
-    return piece_of_[t] == none ? none : start_[static_cast<std::size_t>(t) / block_size] + piece_of_[t];
-  }
-  // Whether the triangle would have to be turned to agree with the first of its piece.
-  bool turned(Index t) const { return turned_[t] != 0; }
-
- private:
-  // What is known of a triangle on the walk.
-  using State = std::uint16_t;  // not of bytes, which might be any other thing for all the compiler knows
-  using States = std::array<State, block_size>;
-  static constexpr State is_turned = 1, is_reached = 2, is_out = 4;
-
-  // A triangle, and the edge over which it was reached, named by the corner that it leaves.
-  struct Member {
-    Index triangle;
-    int entry;
-  };
-
-  // The edge of a triangle that another lies across.
-  int edge_to(Index t, Index other) const {
-    const std::array<Index, 3>& beside = complex_.beside(t);
-    return (beside[1] == other) + 2 * (beside[2] == other);
-  }
-
-  // Whether both run through the edge that leaves corner k of the first in opposite ways.
-  bool agree(Index t, int k, Index other) const {
-    return complex_.triangle(other)[edge_to(other, t)] != complex_.triangle(t)[k];
-  }
-
-  void walk(std::size_t b) {
-    const Index begin = static_cast<Index>(b * block_size);
-    const Index end = static_cast<Index>(std::min<std::size_t>(complex_.size(), (b + 1) * block_size));
-    States state;
-    for (Index t = begin; t < end; ++t) {
-      state[t - begin] = kept_[t] ? 0 : is_out;
-      piece_of_[t] = none;
-    }
-    std::vector<Member> members(end - begin + 1);  // one more is written than there are
-    std::vector<Piece>& pieces = blocks_[b].pieces;
-    for (Index t = begin; t < end; ++t) {
-      if (state[t - begin] != 0) continue;
-      pieces.push_back({t});
-      walk_piece(blocks_[b], {begin, end}, state, members);
-    }
-    for (Index t = begin; t < end; ++t) turned_[t] = (state[t - begin] & is_turned) != 0;
-    const Points p = complex_.points();
-    for (Index t = begin; t < end; ++t) {
-      if (piece_of_[t] == none) continue;
-      Piece& piece = pieces[piece_of_[t]];
-      const Triangle& x = complex_.triangle(t);
-      const Point normal = cross(p[x[1]] - p[x[0]], p[x[2]] - p[x[0]]);
-      piece.normal = piece.normal + (1.0 - 2.0 * turned_[t]) * normal;
-      piece.area += norm(normal);
-    }
-  }
-
-  // Hardly branches, for each triangle is reached from two or three others in no order that could be guessed.
-  void walk_piece(Block& block, std::pair<Index, Index> range, States& state, std::vector<Member>& members) {
-    const auto [begin, end] = range;
-    const auto number = static_cast<Index>(block.pieces.size()) - 1;
-    Piece& piece = block.pieces.back();
-    members[0] = {piece.first, 0};
-    state[piece.first - begin] = is_reached;
-    std::size_t count = 1;
-    State differ = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto [t, entry] = members[i];
-      const State own = state[t - begin] & is_turned;
-      piece_of_[t] = number;
-      for (int step = i == 0 ? 0 : 1; step < 3; ++step) {
-        const int k = entry + step < 3 ? entry + step : entry + step - 3;
-        const Index other = complex_.across(t, k);
-        if (other < begin || other >= end) {  // none is less
-          if (t < other && kept_[other]) block.seams.push_back({t, other, agree(t, k, other)});
-          continue;
-        }
-        const State before = state[other - begin];
-        if (before == is_out) continue;
-        const int back = edge_to(other, t);
-        const bool agrees = complex_.triangle(other)[back] != complex_.triangle(t)[k];
-        const State as_here = is_reached | (own ^ !agrees);
-        const bool is_new = before == 0;
-        const State now = is_new ? as_here : before;
-        state[other - begin] = now;
-        differ |= now ^ as_here;
-        members[count] = {other, back};
-        count += is_new;
-      }
-    }
-    piece.orientable = differ == 0;
-  }
-
-  const Complex& complex_;
-  const Kept& kept_;
-  UnfilledVector<Index> piece_of_;  // of each triangle, in its block; none where it is not kept
-  UnfilledVector<std::uint8_t> turned_;
-  std::vector<Block> blocks_;
-  std::vector<Index> start_;  // of the pieces of each block
-};
-
-// Which pieces hang together, and which of them lie the other way.
+// Which of some pieces hang together, and which of them lie the other way.
 class Joins {
  public:
-  explicit Joins(Index count) : parent_(count), turned_(count, 0) {
+  explicit Joins(Index count = 0) : parent_(count), turned_(count, 0) {
     std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  Index count() const { return static_cast<Index>(parent_.size()); }
+  // One more, which hangs together with no other.
+  Index add() {
+    parent_.push_back(count());
+    turned_.push_back(0);
+    return count() - 1;
   }
 
   // The piece that stands for all that hang together, and whether this one is turned against it.
@@ -189,11 +78,144 @@ class Joins {
   std::vector<std::uint8_t> turned_;  // against the parent
 };
 
-// Whether a triangle with corners a and b runs from a to b.
-bool has_directed_edge(const Triangle& t, Index a, Index b) {
-  const int next = (t[0] == a) + 2 * (t[1] == a);
-  return t[next] == b;
+// Whether a triangle runs along its edge from a to b, not from b to a.
+bool runs(const Triangle& t, Index a, Index b) {
+  return ((t[0] == a) & (t[1] == b)) | ((t[1] == a) & (t[2] == b)) | ((t[2] == a) & (t[0] == b));
 }
+
+// What blocks find side by side: no triangle is turned yet.
+class Blocks {
+ public:
+  Blocks(const Complex& complex, const Kept& kept, const Run& run)
+      : complex_(complex),
+        kept_(kept),
+        piece_of_(complex.size()),
+        turned_(complex.size()),
+        blocks_((static_cast<std::size_t>(complex.size()) + block_size - 1) / block_size) {
+    parallel_tasks(blocks_.size(), Stage::Loops, run, [&](std::size_t b) { walk(b); });
+    run.check_cancel();
+    // Numbered through.
+    start_.push_back(0);
+    for (const Block& block : blocks_)
+      start_.push_back(start_.back() + static_cast<Index>(block.pieces.size()));
+  }
+
+  Index count() const { return start_.back(); }
+  const std::vector<Block>& all() const { return blocks_; }
+  Index piece(Index t) const {
+    return piece_of_[t] == none ? none : start_[static_cast<std::size_t>(t) / block_size] + piece_of_[t];
+  }
+  // Whether the triangle would have to be turned to agree with the first of its piece.
+  bool turned(Index t) const { return turned_[t] != 0; }
+
+ private:
+  // Of a triangle: twice the number of its part, one more where it is turned against the first there.
+  using State = std::uint32_t;
+  static constexpr State out = ~State{0};  // it is not kept
+
+  // What is known of the triangles of a block, and of their parts, some of which hang together.
+  struct Parts {
+    std::array<State, block_size + 1> state;  // the last one is out
+    Joins joins;
+    std::vector<Index> first;      // triangle of each part
+    std::vector<Index> one_sided;  // parts with triangles that can not all agree
+  };
+
+  static Index part_of(State state) { return static_cast<Index>(state / 2); }
+  static bool is_turned(State state) { return state % 2 != 0; }
+
+  void walk(std::size_t b) {
+    const Index begin = static_cast<Index>(b * block_size);
+    const Index end = static_cast<Index>(std::min<std::size_t>(complex_.size(), (b + 1) * block_size));
+    Parts parts;
+    parts.state.back() = out;
+    for (Index t = begin; t < end; ++t) {
+      parts.state[t - begin] = kept_[t] ? place(t, {begin, end}, parts, blocks_[b].seams) : out;
+    }
+    number(begin, end, parts, blocks_[b].pieces);
+  }
+
+  // Joins a triangle to the parts of those beside it that came before. Hardly branches, for there is no order
+  // in which of them these are that could be guessed.
+  State place(Index t, std::pair<Index, Index> range, Parts& parts, std::vector<Seam>& seams) const {
+    const Index begin = range.first, end = range.second;
+    const Triangle x = complex_.triangle(t);
+    const std::array<Index, 3> beside = complex_.beside(t);
+    if ((beside[0] >= end) | (beside[1] >= end) | (beside[2] >= end)) find_seams(t, end, seams);
+    const Triangle* triangles = complex_.triangles().data();
+    // What the one beside it there says of this one.
+    const auto said_by = [&](Index other, Index from, Index to) {
+      const bool is_before = (other >= begin) & (other < t);
+      const State there = parts.state[is_before ? other - begin : block_size];
+      const bool agrees = runs(triangles[is_before ? other : t], to, from);
+      return there == out ? out : there ^ static_cast<State>(!agrees);
+    };
+    const std::array by{said_by(beside[0], x[0], x[1]), said_by(beside[1], x[1], x[2]),
+                        said_by(beside[2], x[2], x[0])};
+    State own = std::min({by[0], by[1], by[2]});
+    if (own == out) {
+      parts.first.push_back(t);
+      return 2 * static_cast<State>(parts.joins.add());
+    }
+    const auto differs = [&](State other) { return (other != out) & (other != own); };
+    if (!(differs(by[0]) | differs(by[1]) | differs(by[2]))) return own;
+    for (const State other : by) {
+      if (differs(other) &&
+          !parts.joins.join(part_of(own), part_of(other), is_turned(own) != is_turned(other)))
+        parts.one_sided.push_back(part_of(own));
+    }
+    const auto [root, turned] = parts.joins.find(part_of(own));
+    return 2 * static_cast<State>(root) + static_cast<State>(is_turned(own) != turned);
+  }
+
+  void find_seams(Index t, Index end, std::vector<Seam>& seams) const {
+    const Triangle& x = complex_.triangle(t);
+    for (int k = 0; k < 3; ++k) {
+      const Index other = complex_.across(t, k);
+      if (other >= end && kept_[other])
+        seams.push_back({t, other, runs(complex_.triangle(other), x[(k + 1) % 3], x[k])});
+    }
+  }
+
+  // Pieces are parts that hang together, numbered as their first triangles are.
+  void number(Index begin, Index end, Parts& parts, std::vector<Piece>& pieces) {
+    std::vector<State> state_of(parts.first.size());  // of the first triangle of each part, in its piece
+    for (Index part = 0; part < parts.joins.count(); ++part) {
+      const auto [root, turned] = parts.joins.find(part);
+      if (root == part) {
+        state_of[part] = static_cast<State>(2 * pieces.size());
+        pieces.push_back({parts.first[part]});
+      } else {
+        state_of[part] = state_of[root] ^ static_cast<State>(turned);
+      }
+    }
+    for (const Index part : parts.one_sided) pieces[part_of(state_of[part])].orientable = false;
+    const Points p = complex_.points();
+    for (Index t = begin; t < end; ++t) {
+      const State in_part = parts.state[t - begin];
+      if (in_part == out) {
+        piece_of_[t] = none;
+        turned_[t] = 0;
+        continue;
+      }
+      const State state = state_of[part_of(in_part)] ^ (in_part & 1);
+      piece_of_[t] = part_of(state);
+      turned_[t] = is_turned(state);
+      Piece& piece = pieces[part_of(state)];
+      const Triangle& x = complex_.triangle(t);
+      const Point normal = cross(p[x[1]] - p[x[0]], p[x[2]] - p[x[0]]);
+      piece.normal = piece.normal + (1.0 - 2.0 * turned_[t]) * normal;
+      piece.area += norm(normal);
+    }
+  }
+
+  const Complex& complex_;
+  const Kept& kept_;
+  UnfilledVector<Index> piece_of_;  // of each triangle, in its block; none where it is not kept
+  UnfilledVector<std::uint8_t> turned_;
+  std::vector<Block> blocks_;
+  std::vector<Index> start_;  // of the pieces of each block
+};
 
 // All triangles of one component, from its first; each is turned to agree with the one it was reached from.
 // Only where they can not all agree does it matter which way the walk took.
@@ -206,7 +228,7 @@ std::vector<Index> walk_sheet(Complex& complex, const Kept& kept, Index first, I
     for (int k = 0; k < 3; ++k) {
       const Index other = complex.across(members[i], k);
       if (other == none || !kept[other] || of_triangle[other] != none) continue;
-      if (has_directed_edge(complex.triangle(other), t[k], t[(k + 1) % 3])) complex.flip(other);
+      if (runs(complex.triangle(other), t[k], t[(k + 1) % 3])) complex.flip(other);
       of_triangle[other] = sheet;
       members.push_back(other);
     }
