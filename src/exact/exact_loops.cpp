@@ -159,11 +159,11 @@ class Survey {
   void keep_and_mend() {
     std::vector<std::uint8_t> changed(points_.size(), 0);
     const auto mark = [&](const Triangle& t) {
-      for (const Index v : t) changed[v] = 1;
+      for (const Index v : t) std::atomic_ref(changed[v]).store(1, std::memory_order_relaxed);
     };
-    for (Index t = 0; t < complex_.size(); ++t) {
+    parallel_for_each(complex_.size(), Stage::Loops, run_, [&](Index t) {
       if (!kept_[t]) mark(complex_.triangle(t));
-    }
+    });
     complex_.keep_only(kept_, run_);
     const Index kept = complex_.size();
     fill_notches(complex_, spacing_, largest_mended, run_);
@@ -303,15 +303,21 @@ class Survey {
 
   double rim_probability(const std::vector<Index>& ids, const Kept& kept) const {
     if (raster_) return raster_loop_probability(ids.size());
-    std::vector<double> empty;
-    double thickness = 0;
-    for (std::size_t i = 0; i < ids.size(); ++i) {
+    const auto look = [&](std::size_t i, std::vector<double>& found) {
       const Index a = ids[i], b = ids[i + 1 < ids.size() ? i + 1 : 0];
-      const Index t = kept_triangle(complex_, kept, a, b);
-      if (!in_notch(a) && !in_notch(b))
-        empty.push_back(emptiness_beyond(points_, neighbours_, spacing_, a, b, complex_.apex(t, a, b)));
-      thickness += frames_[a].thickness / static_cast<double>(ids.size());
+      if (in_notch(a) || in_notch(b)) return;
+      const Index apex = complex_.apex(kept_triangle(complex_, kept, a, b), a, b);
+      found.push_back(emptiness_beyond(points_, neighbours_, spacing_, a, b, apex));
+    };
+    constexpr std::size_t in_task = 256, few = 4 * in_task;  // edges
+    std::vector<double> empty;
+    if (ids.size() < few) {
+      for (std::size_t i = 0; i < ids.size(); ++i) look(i, empty);
+    } else {
+      empty = parallel_gather<double>(ids.size(), Stage::Loops, run_, look, in_task);
     }
+    double thickness = 0;
+    for (const Index id : ids) thickness += frames_[id].thickness / static_cast<double>(ids.size());
     if (empty.empty()) return 0;
     std::nth_element(empty.begin(), empty.begin() + empty.size() / 2, empty.end());
     // Under noise what lies beyond a small opening is too blurred to outweigh that its rim looks like a crease.

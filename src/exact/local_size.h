@@ -30,6 +30,7 @@ class LocalSizes {
       : complex_(complex), neighbours_(neighbours), known_(complex.vertices()) {}
 
   const LocalSize& at(Index vertex);
+  bool is_known(Index vertex) const { return known_[vertex].typical >= 0; }
   // Computes those of the given ones.
   void find(std::span<const Index> vertices, const Run& run);
   // Bounds from below what radii have to be for a log_ratio of more than the margin, not negative, plus the

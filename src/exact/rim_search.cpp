@@ -38,17 +38,6 @@ class Spared {
 
 // The vertices of the triangles, ascending.
 std::vector<Index> vertices_of(const Complex& complex, const std::vector<Index>& triangles, const Run& run) {
-  constexpr std::size_t few = 256;  // points to a triangle: with more it takes longer to look at all of them
-  if (triangles.size() * few < complex.vertices()) {
-    std::vector<Index> found;
-    for (const Index t : triangles) {
-      const Triangle& x = complex.triangle(t);
-      found.insert(found.end(), x.begin(), x.end());
-    }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
-  }
   std::vector<std::uint8_t> marked(complex.vertices(), 0);
   parallel_for_each(triangles.size(), Stage::Loops, run, [&](Index i) {
     for (const Index v : complex.triangle(triangles[i]))
@@ -94,10 +83,24 @@ std::vector<Index> see_beside(const Complex& complex, const std::vector<Index>& 
   return beside;
 }
 
+// Finds the sizes at the corners of the triangles, most of which are known.
+void find_missing(const Complex& complex, const std::vector<Index>& triangles, LocalSizes& sizes,
+                  const Run& run) {
+  auto missing =
+      parallel_gather<Index>(triangles.size(), Stage::Loops, run, [&](Index i, std::vector<Index>& found) {
+        for (const Index v : complex.triangle(triangles[i])) {
+          if (!sizes.is_known(v)) found.push_back(v);
+        }
+      });
+  std::sort(missing.begin(), missing.end());
+  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+  sizes.find(missing, run);
+}
+
 // Those of the triangles that are doubtful where doubt is beside them.
 std::vector<Index> more_doubts(const Complex& complex, const std::vector<Index>& triangles, LocalSizes& sizes,
                                const Spared& is_spared, double doubtful, const Run& run) {
-  sizes.find(vertices_of(complex, triangles, run), run);
+  find_missing(complex, triangles, sizes, run);
   return parallel_gather<Index>(triangles.size(), Stage::Loops, run, [&](Index i, std::vector<Index>& found) {
     const Triangle& x = complex.triangle(triangles[i]);
     if (!is_spared(x) && sizes.log_ratio(x) > doubtful) found.push_back(triangles[i]);

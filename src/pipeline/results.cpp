@@ -2,37 +2,71 @@
 #include "pipeline/results.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "parallel.h"
 #include "rimline/loops.h"
+#include "rimline/unfilled.h"
 
 namespace rimline::pipeline {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+// What is told of a point.
+struct Told {
+  double p_value, score;
+  float probability;
+  PointLabel label;
+  std::uint8_t candidate;
+};
+constexpr Told left_out{nan, nan, static_cast<float>(nan), PointLabel::Stray, 0};
+
+// In the order of the input. Put there as one record a point, since each goes to another place in memory.
+UnfilledVector<Told> told_of_input(const Work& work, const Run& run) {
+  UnfilledVector<Told> told(work.input.size());
+  const std::vector<Index>& ids = work.arrangement.ids;
+  if (ids.size() < told.size()) std::fill(told.begin(), told.end(), left_out);
+  parallel_for_each(ids.size(), Stage::Write, run, [&](Index i) {
+    const double log_score = work.scores.log_score[i];
+    Told x = left_out;
+    x.p_value = p_value(log_score);
+    x.score = score(log_score, work.options.loops.score_form);
+    x.candidate = work.scores.candidate[i];
+    if (!work.is_paper()) {
+      x.probability = work.probability[i];
+      x.label = work.label[i];
+    }
+    told[ids[i]] = x;
+  });
+  return told;
+}
+
 // What the tests say of each point.
 void put_points(const Work& work, BoundaryResult& result) {
   const std::size_t n = work.input.size();
-  result.boundary.assign(n, 0);
-  result.loop.assign(n, none);
-  result.candidate.assign(n, 0);
-  result.p_value.assign(n, nan);
-  result.score.assign(n, nan);
-  if (!work.is_paper()) {
-    result.boundary_probability.assign(n, static_cast<float>(nan));
-    result.label.assign(n, PointLabel::Stray);
-  }
   const Run silent = work.run.without_progress();  // the stages are over
-  parallel_for_each(work.arrangement.ids.size(), Stage::Write, silent, [&](Index i) {
-    const Index id = work.arrangement.ids[i];
-    result.candidate[id] = work.scores.candidate[i];
-    result.p_value[id] = p_value(work.scores.log_score[i]);
-    result.score[id] = score(work.scores.log_score[i], work.options.loops.score_form);
-    if (work.is_paper()) return;
-    result.boundary_probability[id] = work.probability[i];
-    result.label[id] = work.label[i];
+  const UnfilledVector<Told> told = told_of_input(work, silent);
+  const std::size_t rated = work.is_paper() ? 0 : n;
+  parallel_tasks(4, Stage::Write, silent, [&](std::size_t k) {
+    if (k == 0) result.p_value.resize(n);
+    if (k == 1) result.score.resize(n);
+    if (k == 2) result.loop.resize(n, none);
+    if (k < 3) return;
+    result.boundary.resize(n);
+    result.candidate.resize(n);
+    result.boundary_probability.resize(rated);
+    result.label.resize(rated);
+  });
+  parallel_for_each(n, Stage::Write, silent, [&](Index id) {
+    const Told& x = told[id];
+    result.p_value[id] = x.p_value;
+    result.score[id] = x.score;
+    result.candidate[id] = x.candidate;
+    if (rated == 0) return;
+    result.boundary_probability[id] = x.probability;
+    result.label[id] = x.label;
   });
 }
 
