@@ -22,7 +22,7 @@ namespace rimline::exact {
 namespace {
 
 // Long enough to hide the cost of a task.
-constexpr std::size_t stations_in_task = 32, places_in_task = 512;
+constexpr std::size_t stations_in_task = 32, beads_in_task = 128;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -284,37 +284,57 @@ class Places {
   }
 
  private:
-  // Finds the places of the beads and of their neighbours.
-  void look_around(const std::vector<Bead>& beads, const Neighbours& neighbours, const Run& run) {
+  // Finds the places of the beads and of their neighbours: of stretches of beads side by side, then of the
+  // places that several stretches have found the nearest, or first.
+  void look_around(std::span<const Bead> beads, const Neighbours& neighbours, const Run& run) {
+    std::vector<std::vector<Place>> parts((beads.size() + beads_in_task - 1) / beads_in_task);
+    parallel_tasks(parts.size(), Stage::Loops, run, [&](std::size_t k) {
+      const std::size_t first = k * beads_in_task;
+      parts[k] = look_around(beads.subspan(first, std::min(beads_in_task, beads.size() - first)), neighbours);
+    });
+    run.check_cancel();
+    std::size_t total = 0;
+    for (const auto& part : parts) total += part.size();
+    PlaceNumbers numbers(total);
+    found_.reserve(total);
+    for (const auto& part : parts) {
+      for (const Place& place : part) {
+        const std::uint32_t number = numbers.of(place.point);
+        if (number == found_.size()) {
+          found_.push_back(place);
+          continue;
+        }
+        Place& known = found_[number];
+        const bool is_bead = known.is_bead || place.is_bead;
+        if (place.squared_distance < known.squared_distance) known = place;
+        known.is_bead = is_bead;
+      }
+    }
+  }
+
+  std::vector<Place> look_around(std::span<const Bead> beads, const Neighbours& neighbours) const {
     const std::size_t in_list = 1 + static_cast<std::size_t>(neighbours.k);
     PlaceNumbers numbers(beads.size() * in_list);
     std::vector<std::uint32_t> asked;  // the place of each bead and of its neighbours, bead after bead
     asked.reserve(beads.size() * in_list);
-    std::vector<Index> points;  // of the places
+    std::vector<Place> places;
     const auto ask = [&](Index point) {
       asked.push_back(numbers.of(point));
-      if (asked.back() == points.size()) points.push_back(point);
+      if (asked.back() == places.size()) places.push_back({point});
     };
     for (const Bead& bead : beads) {
       ask(bead.point);
+      places[asked.back()].is_bead = true;
       for (const Index v : neighbours.of(bead.point)) ask(v);
     }
-    found_.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) found_[i].point = points[i];
-    for (std::size_t i = 0; i < asked.size(); i += in_list) found_[asked[i]].is_bead = true;
-    std::vector<std::uint32_t> start(found_.size() + 2, 0);  // of the places, in `about`
+    std::vector<std::uint32_t> start(places.size() + 2, 0);  // of the places, in `about`
     for (const std::uint32_t place : asked) ++start[place + 2];
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<double> about(asked.size());  // the t of each bead that a place is a neighbour of
     for (std::size_t i = 0; i < asked.size(); ++i) about[start[asked[i] + 1]++] = beads[i / in_list].t;
-    parallel_slices(
-        found_.size(), Stage::Loops, run,
-        [&](std::size_t first, std::size_t last) {
-          for (std::size_t i = first; i < last; ++i) {
-            look(found_[i], std::span(about).subspan(start[i], start[i + 1] - start[i]));
-          }
-        },
-        places_in_task);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      look(places[i], std::span(about).subspan(start[i], start[i + 1] - start[i]));
+    return places;
   }
 
   // Seeks the nearest station about each t, in the sheet of the curve.
