@@ -42,7 +42,10 @@ void GroupSearch::start(const Group& group) {
   pairs_.clear();
   for (std::uint32_t i = 0; i < size; ++i) {
     const std::uint32_t b = group[i];
-    Bit& bit = bits_.emplace_back(Bit{.doubt = b, .triangle = doubt_.triangles[b]});
+    Bit& bit = bits_.emplace_back(Bit{.doubt = b,
+                                       .triangle = doubt_.triangles[b],
+                                       .gain = doubt_.gain[b],
+                                       .contrast = doubt_.contrast[b]});
     std::array<std::uint32_t, 4>& near = bit.near;
     near[bit.near_count++] = i;
     for (int k = 0; k < 3; ++k) {
@@ -116,10 +119,8 @@ double GroupSearch::cost(std::uint32_t v) {
 double GroupSearch::worth(std::uint32_t i) const {
   if (now_[i]) return 0;
   const Bit& bit = bits_[i];
-  double sum = doubt_.gain[bit.doubt];
-  for (int k = 0; k < 3; ++k) {
-    if (now_[bit.beside[k]]) sum += doubt_.contrast[bit.doubt][k];
-  }
+  double sum = bit.gain;
+  for (int k = 0; k < 3; ++k) sum += now_[bit.beside[k]] * bit.contrast[k];
   return sum;
 }
 

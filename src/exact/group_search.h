@@ -83,6 +83,8 @@ class GroupSearch {
   struct Bit {
     std::uint32_t doubt;  // its position among the doubtful
     Index triangle;
+    double gain;                     // of leaving it out, and what that is worth more for each beside it
+    std::array<double, 3> contrast;  // that is kept; copied here, for they are asked for together
     std::uint32_t near_count = 0;
     std::array<std::uint32_t, 3> beside{};  // the bits across its edges, as `now_` has them
     std::array<std::uint32_t, 4> near{};    // itself and the bits beside it, ascending

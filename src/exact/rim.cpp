@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact/rim.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "parallel.h"
@@ -56,11 +57,13 @@ std::vector<std::vector<Index>> walk_rims(const Complex& complex, const Kept& ke
     Index triangle;
     int corner;  // that the rim's edge leaves
   };
+  const bool is_all = std::find(kept.begin(), kept.end(), 0) == kept.end();
   const auto sides =
       parallel_gather<Side>(complex.size(), Stage::Loops, run, [&](Index t, std::vector<Side>& found) {
         if (!kept[t]) return;
         const std::array<Index, 3>& beside = complex.beside(t);
-        const bool is_inside = !complex.is_at_rim(t) && (kept[beside[0]] & kept[beside[1]] & kept[beside[2]]);
+        const bool is_inside =
+            !complex.is_at_rim(t) && (is_all || (kept[beside[0]] & kept[beside[1]] & kept[beside[2]]));
         for (int i = 0; !is_inside && i < 3; ++i) {
           if (if_kept(kept, beside[i]) == none) found.push_back({t, i});
         }
