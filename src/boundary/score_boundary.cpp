@@ -24,10 +24,12 @@ std::vector<double> log_score_table(int k, int sectors) {
   return table;
 }
 
-std::size_t sum_of_squares(const std::vector<Lanes>& counts, int l) {
+// At most k * k, the sum of k points in one sector. A point may be counted in three sectors, once less than
+// nothing, where numbers are so small that their products are rounded to zero.
+std::size_t sum_of_squares(const std::vector<Lanes>& counts, int l, int k) {
   double sum = 0;
   for (const Lanes& count : counts) sum += count[l] * count[l];
-  return static_cast<std::size_t>(sum);
+  return std::min(static_cast<std::size_t>(sum), static_cast<std::size_t>(k) * k);
 }
 
 }  // namespace
@@ -56,7 +58,7 @@ BoundaryScores score_boundary(Points points, const Neighbours& neighbours, const
       neighbourhoods.flatten(axes);
       sectors.count(neighbourhoods.u(), neighbourhoods.v(), counts);
       for (Index i = first; i < std::min(first + lanes, static_cast<Index>(end)); ++i) {
-        result.log_score[i] = log_score_of[sum_of_squares(counts, i - first)];
+        result.log_score[i] = log_score_of[sum_of_squares(counts, i - first, k)];
         result.candidate[i] = result.log_score[i] >= log_significance;
         result.delta[i] = static_cast<float>(delta(axes.of(i - first)));
       }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "boundary/chi_square.h"
@@ -252,6 +253,23 @@ TEST_CASE("eq. (2) as printed is 1 / p and never overflows; its log form is -log
   CHECK(score(3.5, ScoreForm::Log) == 3.5);
   CHECK(std::isfinite(score(1e6, ScoreForm::Printed)));
   CHECK(p_value(std::log(20.0)) == doctest::Approx(0.05));
+}
+
+TEST_CASE("a neighbour at the least distance there is does not lift the score above that of all in one sector") {
+  // Seen from the first point all others are within one of 13 sectors but for one, beside it, whose image has
+  // the smallest number that is not zero for a coordinate and is counted in that sector and in two more.
+  constexpr double tiny = std::numeric_limits<double>::denorm_min();
+  std::vector<Point> points{{0, 0, 0}, {2 * tiny, 0, 0}};
+  for (int i = 0; i < 39; ++i) {
+    const double aside = i % 2 ? 0.114 : -0.114;
+    points.push_back({2 * (0.71 + aside), 0.71 - aside, 0});
+  }
+  const Neighbours others = find_neighbours(points, 40, {});
+  BoundaryOptions options;
+  options.k = others.k;
+  options.sectors = 13;
+  const double most = negative_log_survival(13.0 * options.k - options.k, 12);
+  CHECK(score_boundary(points, others, options, {}).log_score[0] == doctest::Approx(most));
 }
 
 }  // namespace
