@@ -119,7 +119,8 @@ std::vector<Point> take_off_noise(Points points, const Neighbours& neighbours, d
   std::vector<Point> moved(points.begin(), points.end());
   parallel_for_each(points.size(), Stage::Survey, run, [&](Index i) {
     const Quadric quadric = fit_quadric(points, neighbours, i, count);
-    moved[i] = points[i] + weight * quadric.height * quadric.normal;
+    const Point there = points[i] + weight * quadric.height * quadric.normal;
+    if (is_finite(there)) moved[i] = there;  // not where squares of the distances are no numbers any more
   });
   return moved;
 }

@@ -82,6 +82,19 @@ TEST_CASE("without its noise a noisy disc is flatter, and nothing moves along it
   CHECK(take_off_noise(disc.points, neighbours, 0, {}) == disc.points);
 }
 
+TEST_CASE("points whose squared distances are zero stay where they are, beside others that move") {
+  Sample disc = make(Shape::FlatDisc, Sampling::Random, 0.5);
+  const std::size_t count = disc.points.size();
+  for (std::size_t i = 0; i < count; ++i) disc.points.push_back(1e-300 * disc.points[i]);
+  const Neighbours neighbours = find_neighbours(disc.points, 40, {});
+  const auto moved = take_off_noise(disc.points, neighbours, 1, {});
+  CHECK(moved[0] != disc.points[0]);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    CHECK(is_finite(moved[i]));
+    if (i >= count) CHECK(moved[i] == disc.points[i]);
+  }
+}
+
 TEST_CASE("a set of a few points has a noise level") {
   const std::vector<Point> few{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5}};
   CHECK(level_of(few) == 0);
