@@ -21,7 +21,7 @@ void resize_together(std::vector<T>& items, std::size_t count, const Run& run, s
   items.reserve(count + more);
   char* const first = reinterpret_cast<char*>(items.data());
   const std::size_t bytes = count * sizeof(T);
-  if (bytes >= 8 * block_size) {
+  if (bytes >= 4 * block_size) {
     tbb::task_arena(thread_count(run)).execute([&] {
       tbb::parallel_for(std::size_t{0}, bytes / block_size, [&](std::size_t block) {
         char* const from = first + block * block_size;

@@ -62,6 +62,6 @@ class SurfaceDistance {
 // F1 of two sets of edges, those of two meshes over the same vertices, as ids.
 double edge_agreement(const std::vector<Triangle>& a, const std::vector<Triangle>& b);
 
-SpacingSummary summarize_spacing(std::vector<double> spacing);
+SpacingSummary summarize_spacing(std::vector<double> spacing, const Run& run = {});
 
 }  // namespace rimline

@@ -76,7 +76,7 @@ class Survey {
         frames_(fit_frames(points, neighbours, run)),
         raster_(raster),
         complex_(propose()),
-        sizes_(complex_, neighbours) {}
+        sizes_(complex_, neighbours, run) {}
 
   BoundarySurvey find() {
     run_.progress(Stage::Loops, 0, points_.size());
@@ -138,7 +138,7 @@ class Survey {
     const RimSearch rims(complex_, sizes_, bar_gaps(), options, run_);
     take(rims.find({}));
     if (blur_.noise > 0 || options.generations == 0) return {};
-    std::vector<double> even = evenness(points_, walk_rims(complex_, kept_, run_));
+    std::vector<double> even = evenness(points_, walk_rims(complex_, kept_, run_), run_);
     take(rims.find_again(even, kept_));
     return even;
   }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "first_touch.h"
+
 namespace rimline::exact {
 namespace {
 
@@ -36,8 +38,9 @@ std::vector<double> jaggedness(Points points, const std::vector<Index>& loop) {
   return result;
 }
 
-std::vector<double> evenness(Points points, const std::vector<std::vector<Index>>& loops) {
-  std::vector<double> result(points.size(), 0);
+std::vector<double> evenness(Points points, const std::vector<std::vector<Index>>& loops, const Run& run) {
+  std::vector<double> result;
+  resize_together(result, points.size(), run);
   for (const auto& loop : loops) {
     if (loop.size() < least_telling) continue;
     const std::vector<double> jagged = jaggedness(points, loop);

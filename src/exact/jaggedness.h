@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rimline/points.h"
+#include "rimline/run.h"
 
 namespace rimline::exact {
 
@@ -17,6 +18,7 @@ std::vector<double> jaggedness(Points points, const std::vector<Index>& loop);
 
 // For each point how even the loops through it are, 1 less the above; 0 where there is none. Loops of few
 // points do not tell.
-std::vector<double> evenness(Points points, const std::vector<std::vector<Index>>& loops);
+std::vector<double> evenness(Points points, const std::vector<std::vector<Index>>& loops,
+                             const Run& run = {});
 
 }  // namespace rimline::exact

@@ -9,6 +9,7 @@
 
 #include "exact/complex.h"
 #include "exact/star_levels.h"
+#include "first_touch.h"
 #include "rimline/neighbours.h"
 #include "rimline/run.h"
 #include "rimline/unfilled.h"
@@ -26,8 +27,10 @@ struct LocalSize {
 // many vertices at once by find(); they are the same. What was found may be asked for by many threads.
 class LocalSizes {
  public:
-  LocalSizes(const Complex& complex, const Neighbours& neighbours)
-      : complex_(complex), neighbours_(neighbours), known_(complex.vertices()) {}
+  LocalSizes(const Complex& complex, const Neighbours& neighbours, const Run& run = {})
+      : complex_(complex), neighbours_(neighbours) {
+    resize_together(known_, complex.vertices(), run);
+  }
 
   const LocalSize& at(Index vertex);
   bool is_known(Index vertex) const { return known_[vertex].typical >= 0; }

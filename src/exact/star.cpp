@@ -334,7 +334,7 @@ Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<
 
   std::vector<std::size_t> start(count + 1, 0);
   for (std::size_t i = 0; i < count; ++i) start[i + 1] = start[i] + size[i];
-  std::vector<Index> ids(start[count]);
+  UnfilledVector<Index> ids(start[count]);
   for_each_row([&](Row& row, Index first, Index last) {
     auto closed = row.ids.begin(), open = open_rows[first / points_in_row].ids.begin();
     for (Index i = first; i < last; ++i) {

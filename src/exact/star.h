@@ -11,6 +11,7 @@
 #include "rimline/neighbours.h"
 #include "rimline/points.h"
 #include "rimline/run.h"
+#include "rimline/unfilled.h"
 
 namespace rimline::exact {
 
@@ -22,7 +23,7 @@ using Star = std::span<const Index>;
 class Stars {
  public:
   // Star i is ids[start[i]] to ids[start[i + 1] - 1].
-  Stars(std::vector<std::size_t> start, std::vector<Index> ids)
+  Stars(std::vector<std::size_t> start, UnfilledVector<Index> ids)
       : start_(std::move(start)), ids_(std::move(ids)) {}
 
   std::size_t size() const { return start_.size() - 1; }
@@ -31,7 +32,7 @@ class Stars {
 
  private:
   std::vector<std::size_t> start_;
-  std::vector<Index> ids_;
+  UnfilledVector<Index> ids_;
 };
 
 // The point's neighbours, and those that have it as theirs, are laid out in its tangent

@@ -231,19 +231,26 @@ MeshSummary measure_mesh(Points points, const std::vector<Triangle>& triangles,
   return summary;
 }
 
-SpacingSummary summarize_spacing(std::vector<double> spacing) {
+SpacingSummary summarize_spacing(std::vector<double> spacing, const Run& run) {
   if (spacing.empty()) return {};
   const double mean =
       std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(spacing.size());
   const auto [least, most] = std::minmax_element(spacing.begin(), spacing.end());
   SpacingSummary summary{mean, *least, *most, 0, 0};
-  const auto quantile = [&](double q) {
-    const auto at = spacing.begin() + static_cast<std::ptrdiff_t>(q * (spacing.size() - 1));
-    std::nth_element(spacing.begin(), at, spacing.end());
+  std::vector<double> copy(spacing);
+  const auto quantile = [](std::vector<double>& values, double q) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * (values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
     return *at;
   };
-  summary.low = quantile(0.05);
-  summary.high = quantile(0.95);
+  parallel_tasks(2, Stage::Measure, run.without_progress(), [&](std::size_t task) {
+    if (task == 0) {
+      summary.low = quantile(spacing, 0.05);
+    } else {
+      summary.high = quantile(copy, 0.95);
+    }
+  });
+  run.check_cancel();
   return summary;
 }
 

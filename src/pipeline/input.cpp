@@ -58,7 +58,7 @@ void prepare(Work& work) {
   work.spacing = local_spacing(arrangement.points, work.neighbours, work.run);
   work.report.points = {work.input.size(), arrangement.points.size(), arrangement.not_finite.size(),
                         arrangement.duplicates.size(), arrangement.stray.size()};
-  work.report.spacing = summarize_spacing(work.spacing);
+  work.report.spacing = summarize_spacing(work.spacing, work.run);
 }
 
 }  // namespace rimline::pipeline
