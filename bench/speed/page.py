@@ -13,8 +13,8 @@ LIMITS = {
     "boundary": (40 * 4 + 24 + 16, "40 ids read, 16 bytes written; 40 neighbours x 20 operations"),
     "survey": (40 * 4 + 2 * (80 + 24 + 6 * 4 + 2 * 44), "lists, frames, stars, two triangles a point, written and read "
                                                      "once; about 16 bisectors x 6 corners a cell"),
-    "loops": (17 * 4 + 6 + 2 * 44 + 8, "the stars' levels of 16 neighbours, the triangles once; the search itself is "
-                                       "where triangles are in doubt"),
+    "loops": (17 * 4 + 33 + 2 * 44 + 8, "the lists of 16 neighbours, a row of levels a star, the triangles once; the search "
+                                        "itself is where triangles are in doubt"),
     "parameterize": (7 * 12 * 40, "some 40 products of a matrix of 7 entries a row"),
     "triangulate": (2 * 44 * 4, "triangles and their neighbours, a few times"),
     "refine": (7 * 12 * 80, "maps and flips again"),
