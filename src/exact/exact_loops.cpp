@@ -261,6 +261,7 @@ class Survey {
           if (c != last && last != none) add(result_.components[last].points, std::exchange(points, 0));
           last = c;
           ++points;
+          if (static_cast<Index>(here.size()) == sheets_.count()) break;  // there are no others
         }
         result_.label[v] = on_surface ? PointLabel::Interior : PointLabel::Stray;
       }

@@ -2,6 +2,7 @@
 #include "pipeline/results.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -14,14 +15,14 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// What is told of a point.
+// What is told of a point, as the stages have it.
 struct Told {
-  double p_value, score;
+  double log_score;
   float probability;
   PointLabel label;
   std::uint8_t candidate;
 };
-constexpr Told left_out{nan, nan, static_cast<float>(nan), PointLabel::Stray, 0};
+constexpr Told left_out{nan, static_cast<float>(nan), PointLabel::Stray, 0};
 
 // In the order of the input. Put there as one record a point, since each goes to another place in memory.
 UnfilledVector<Told> told_of_input(const Work& work, const Run& run) {
@@ -29,10 +30,8 @@ UnfilledVector<Told> told_of_input(const Work& work, const Run& run) {
   const std::vector<Index>& ids = work.arrangement.ids;
   if (ids.size() < told.size()) std::fill(told.begin(), told.end(), left_out);
   parallel_for_each(ids.size(), Stage::Write, run, [&](Index i) {
-    const double log_score = work.scores.log_score[i];
     Told x = left_out;
-    x.p_value = p_value(log_score);
-    x.score = score(log_score, work.options.loops.score_form);
+    x.log_score = work.scores.log_score[i];
     x.candidate = work.scores.candidate[i];
     if (!work.is_paper()) {
       x.probability = work.probability[i];
@@ -61,8 +60,9 @@ void put_points(const Work& work, BoundaryResult& result) {
   });
   parallel_for_each(n, Stage::Write, silent, [&](Index id) {
     const Told& x = told[id];
-    result.p_value[id] = x.p_value;
-    result.score[id] = x.score;
+    const bool is_told = !std::isnan(x.log_score);
+    result.p_value[id] = is_told ? p_value(x.log_score) : nan;
+    result.score[id] = is_told ? score(x.log_score, work.options.loops.score_form) : nan;
     result.candidate[id] = x.candidate;
     if (rated == 0) return;
     result.boundary_probability[id] = x.probability;
