@@ -40,10 +40,16 @@ Inputs read_inputs(const MethodArguments& arguments, Session& session) {
 
 namespace {
 
-// Reading before what the library timed, writing after it.
+// Reading before what the library timed, writing after it; the library's part of writing is the result.
 void add_costs(std::vector<StageCost>& stages, const std::vector<StageCost>& around) {
   for (const StageCost& cost : around) {
-    stages.insert(cost.stage == Stage::Read ? stages.begin() : stages.end(), cost);
+    const auto known = std::ranges::find(stages, cost.stage, &StageCost::stage);
+    if (known != stages.end()) {
+      known->seconds += cost.seconds;
+      known->peak_bytes = std::max(known->peak_bytes, cost.peak_bytes);
+    } else {
+      stages.insert(cost.stage == Stage::Read ? stages.begin() : stages.end(), cost);
+    }
   }
 }
 

@@ -25,8 +25,8 @@ std::vector<Output> outputs_of(const MethodArguments& arguments, const Output& m
 Inputs read_inputs(const MethodArguments& arguments, Session& session);
 
 // Writes the loops, the picture and the report, as far as they were asked for, then prints the summary. The
-// stages Read and Write join those of the report; Write is what came since session.clock() entered it, less
-// the report itself.
+// stages Read and Write join those of the report; Write has grown by what came since session.clock() entered
+// it, less the report itself.
 void finish(const MethodArguments& arguments, const std::vector<Output>& outputs, const Scene& scene,
             Report report, Session& session);
 

@@ -27,7 +27,7 @@ enum class Stage {
   Triangulate,
   Refine,
   Measure,
-  Write
+  Write  // in the library: the result is put into the order of the input
 };
 
 // The stage's name as users read it: "neighbours", "loops", ...

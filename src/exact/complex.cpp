@@ -8,7 +8,7 @@
 
 #include "first_touch.h"
 #include "parallel.h"
-#include "selection.h"
+#include "kept_items.h"
 
 namespace rimline::exact {
 
@@ -100,7 +100,7 @@ void Complex::add(const Triangle& triangle) {
 }
 
 void Complex::keep_only(const std::vector<std::uint8_t>& kept, const Run& run) {
-  const Selection stay(kept, Stage::Loops, run);
+  const KeptItems stay(kept, Stage::Loops, run);
   if (stay.is_all()) return;
   const UnfilledVector<Index> id = stay.places();
   const auto renumber = [&](Index t) { return t == none ? none : id[t]; };

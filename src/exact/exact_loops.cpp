@@ -30,7 +30,7 @@
 #include "exact/weave.h"
 #include "parallel.h"
 #include "rimline/loops.h"
-#include "selection.h"
+#include "kept_items.h"
 
 namespace rimline {
 
@@ -92,7 +92,7 @@ class Survey {
     if (!raster_) rate_at_cuts();
     rate_loops();
     label_rims();
-    result_.triangles = Selection(kept_, Stage::Loops, run_).of(complex_.triangles());
+    result_.triangles = KeptItems(kept_, Stage::Loops, run_).of(complex_.triangles());
     return std::move(result_);
   }
 

@@ -29,12 +29,14 @@ Work with_loops(Points points, const Options& options, const Run& run, const Giv
 
 BoundaryResult find_boundary(Points points, const Options& options, const Run& run, const Given& given) {
   Work work = with_loops(points, options, run, given, Stage::Loops);
+  work.clock.enter(Stage::Write);
   return boundary_result(work);
 }
 
 ParameterizeResult parameterize(Points points, const Options& options, const Run& run, const Given& given) {
   Work work = with_loops(points, options, run, given, Stage::Refine);
   work.is_paper() ? map_to_the_disc(work) : mesh_patches(work);
+  work.clock.enter(Stage::Write);
   ParameterizeResult result;
   result.uv = uv_of_input(work);
   result.uv.resize(points.size());  // vertices that fills added have no place among the points
@@ -51,6 +53,7 @@ ReconstructResult reconstruct(Points points, const Options& options, const Run& 
     mesh_patches(work);
   }
   measure(work);
+  work.clock.enter(Stage::Write);
   ReconstructResult result;
   result.uv = uv_of_input(work);
   result.added = added_points(work);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "selection.h"
+#include "kept_items.h"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +13,7 @@
 namespace rimline {
 namespace {
 
-TEST_CASE("a selection keeps what a loop keeps, for any number of threads") {
+TEST_CASE("items are kept as a loop keeps them, for any number of threads") {
   for (const std::size_t count : {0, 1, 1000, 16384, 100001}) {
     std::vector<int> items(count);
     std::iota(items.begin(), items.end(), 7);
@@ -33,11 +33,11 @@ TEST_CASE("a selection keeps what a loop keeps, for any number of threads") {
         CAPTURE(threads);
         Run run;
         run.threads = threads;
-        const Selection selection(kept, Stage::Loops, run);
-        CHECK(selection.size() == expected.size());
-        CHECK(selection.is_all() == (expected.size() == count));
-        CHECK(selection.of(items) == expected);
-        CHECK(std::ranges::equal(selection.places(), places));
+        const KeptItems items_kept(kept, Stage::Loops, run);
+        CHECK(items_kept.size() == expected.size());
+        CHECK(items_kept.is_all() == (expected.size() == count));
+        CHECK(items_kept.of(items) == expected);
+        CHECK(std::ranges::equal(items_kept.places(), places));
       }
     }
   }

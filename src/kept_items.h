@@ -16,9 +16,9 @@
 namespace rimline {
 
 // The items that are kept, in their order. The marks, zero for what is left out, must outlive it and stay.
-class Selection {
+class KeptItems {
  public:
-  Selection(const std::vector<std::uint8_t>& kept, Stage stage, const Run& run)
+  KeptItems(const std::vector<std::uint8_t>& kept, Stage stage, const Run& run)
       : kept_(kept),
         stage_(stage),
         run_(run.without_progress()),
