@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "method.h"
 
+#include <algorithm>
+
 #include "rimline/io.h"
 #include "summary.h"
 #include "uv_picture.h"
