@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "first_touch.h"
-#include "parallel.h"
 #include "kept_items.h"
+#include "parallel.h"
 
 namespace rimline::exact {
 

@@ -28,9 +28,9 @@
 #include "exact/star.h"
 #include "exact/usual_corners.h"
 #include "exact/weave.h"
+#include "kept_items.h"
 #include "parallel.h"
 #include "rimline/loops.h"
-#include "kept_items.h"
 
 namespace rimline {
 

@@ -45,7 +45,7 @@ UnfilledVector<Told> told_of_input(const Work& work, const Run& run) {
 // What the tests say of each point.
 void put_points(const Work& work, BoundaryResult& result) {
   const std::size_t n = work.input.size();
-  const Run silent = work.run.without_progress();  // the stages are over
+  const Run silent = work.run.without_progress();  // takes a moment
   const UnfilledVector<Told> told = told_of_input(work, silent);
   const std::size_t rated = work.is_paper() ? 0 : n;
   parallel_tasks(4, Stage::Write, silent, [&](std::size_t k) {
