@@ -129,6 +129,22 @@ TEST_CASE("points that take no part are counted by reason and used nowhere") {
   }
 }
 
+TEST_CASE("of points that are left out nothing is told, wherever they stand in the input") {
+  auto points = shapes::disc(14, 0.4).points;
+  const auto at = static_cast<std::ptrdiff_t>(points.size() / 2);
+  points.insert(points.begin() + at, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
+  for (const Preset preset : {Preset::Default, Preset::PaperLog}) {
+    const auto found = find_boundary(points, preset_options(preset), {});
+    CHECK(std::isnan(found.p_value[at]));
+    CHECK(std::isnan(found.score[at]));
+    CHECK(found.candidate[at] == 0);
+    CHECK(!std::isnan(found.p_value[at + 1]));
+    if (preset != Preset::Default) continue;
+    CHECK(std::isnan(found.boundary_probability[at]));
+    CHECK(found.label[at] == PointLabel::Stray);
+  }
+}
+
 TEST_CASE("a loop made by hand is used instead of finding one") {
   const auto disc = shapes::disc(12, 0.4);
   Given given;

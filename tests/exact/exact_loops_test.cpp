@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <set>
 
@@ -491,6 +492,23 @@ TEST_CASE("clouds that are no surface give no crash") {
   CHECK(find_loops(line).loops.empty());
   find_loops(ball);
   find_loops(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
+}
+
+TEST_CASE("points of a scrap of a few triangles are stray, those of the surface are not") {
+  Sample disc = make(Shape::FlatDisc, Sampling::BlueNoise, 2000);
+  const std::size_t count = disc.points.size();
+  for (int i = 0; i < 7; ++i) {  // a hexagon and its centre, far above
+    const double angle = i * std::numbers::pi / 3, r = i < 6 ? 0.05 : 0;
+    disc.points.push_back({r * std::cos(angle), r * std::sin(angle), 5});
+  }
+  const Neighbours neighbours = find_neighbours(disc.points, 40, {});
+  const BoundaryScores scores = score_boundary(disc.points, neighbours, {}, {});
+  const BoundarySurvey survey = find_exact_loops(disc.points, neighbours, scores, {}, 0.9, {});
+  int in_scrap = 0;
+  for (const Triangle& t : survey.triangles) in_scrap += t[0] >= static_cast<Index>(count);
+  CHECK(in_scrap > 0);
+  for (std::size_t v = 0; v < disc.points.size(); ++v)
+    CHECK((survey.label[v] == PointLabel::Stray) == (v >= count));
 }
 
 TEST_CASE("a run that is told to stop, stops") {
