@@ -11,6 +11,7 @@
 #include "map/pack.h"
 #include "map/patches.h"
 #include "map/refine_patch.h"
+#include "map/share_out.h"
 #include "parallel.h"
 #include "rimline/refine.h"
 #include "union_find.h"
@@ -25,35 +26,6 @@ Patch refine_alone(Points points, const PatchInput& input, std::vector<Triangle>
   for (const Index i : input.points) own.push_back(points[i]);
   const Neighbours neighbours = find_neighbours(own, k, run);
   return refine_patch(own, neighbours, nullptr, input.outline, std::move(survey), options, run);
-}
-
-// The triangles of each patch, in its ids. At a point of several patches the other corners decide.
-std::vector<std::vector<Triangle>> share_out(const std::vector<Triangle>& triangles, std::size_t points,
-                                             const std::vector<PatchInput>& patches) {
-  constexpr Index several = -2;
-  std::vector<Index> patch_of(points, none), local(points, none);
-  for (Index p = 0; p < static_cast<Index>(patches.size()); ++p) {
-    for (Index i = 0; i < static_cast<Index>(patches[p].points.size()); ++i) {
-      const Index v = patches[p].points[i];
-      patch_of[v] = patch_of[v] == none ? p : several;
-      local[v] = i;
-    }
-  }
-  std::vector<std::vector<Triangle>> parts(patches.size());
-  for (const Triangle& t : triangles) {
-    const Index p = std::max({patch_of[t[0]], patch_of[t[1]], patch_of[t[2]]});
-    if (p < 0) continue;
-    const std::vector<Index>& ids = patches[p].points;
-    Triangle own = t;
-    bool inside = true;
-    for (Index& v : own) {
-      inside = inside && (patch_of[v] == p || patch_of[v] == several);
-      v = patch_of[v] == p ? local[v]
-                           : static_cast<Index>(std::lower_bound(ids.begin(), ids.end(), v) - ids.begin());
-    }
-    if (inside) parts[p].push_back(own);
-  }
-  return parts;
 }
 
 PatchReport report_on(const PatchInput& input, const Patch& patch, const RefineOptions& options) {
