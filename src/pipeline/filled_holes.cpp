@@ -11,7 +11,6 @@
 namespace rimline::pipeline {
 namespace {
 
-// Edges of rims. Where two holes touched, one rim has the edges of both loops.
 using RimEdges = std::set<std::pair<Index, Index>>;
 
 std::pair<Index, Index> edge_at(const std::vector<Index>& loop, std::size_t i) {
@@ -25,50 +24,67 @@ bool has_all(const RimEdges& edges, const std::vector<Index>& loop) {
   return true;
 }
 
-// Points of loops that are gone, and of none that stays.
-void relabel(Work& work, const std::vector<Loop>& gone) {
-  if (work.label.empty()) return;
-  for (const Loop& loop : gone) {
-    for (const Index v : loop.points) work.label[v] = PointLabel::Undersampled;
+// The rims that were filled; where two holes touched, one rim has the edges of both loops.
+RimEdges filled_edges(const std::vector<PatchReport>& patches) {
+  RimEdges filled;
+  for (const PatchReport& patch : patches) {
+    for (const HoleFill& fill : patch.fills) {
+      if (fill.triangles == 0) continue;
+      for (std::size_t i = 0; i < fill.rim.size(); ++i) filled.insert(edge_at(fill.rim, i));
+    }
   }
-  for (const Loop& loop : work.loops) {
-    for (const Index v : loop.points) work.label[v] = PointLabel::Boundary;
-  }
+  return filled;
 }
 
-}  // namespace
+// Points of loops that are gone, and of none that stays.
+std::vector<PointLabel> relabel(std::vector<PointLabel> label, const std::vector<Loop>& gone,
+                                const std::vector<Loop>& stay) {
+  if (label.empty()) return label;
+  for (const Loop& loop : gone) {
+    for (const Index v : loop.points) label[v] = PointLabel::Undersampled;
+  }
+  for (const Loop& loop : stay) {
+    for (const Index v : loop.points) label[v] = PointLabel::Boundary;
+  }
+  return label;
+}
 
-void take_out_filled(Work& work, const std::vector<PatchReport>& patches) {
+HoleSummary summarize_holes(const MappedMesh& mesh, const std::vector<PatchReport>& patches) {
   HoleSummary summary;
-  RimEdges filled;
   for (const PatchReport& patch : patches) {
     for (const HoleFill& fill : patch.fills) {
       if (fill.triangles == 0) {
         ++summary.failed;
         continue;
       }
-      for (std::size_t i = 0; i < fill.rim.size(); ++i) filled.insert(edge_at(fill.rim, i));
-      summary.filled.push_back({fill.rim.size(), loop_length(work.arrangement.points, fill.rim),
-                                fill.triangles, fill.added_points});
+      summary.filled.push_back(
+          {fill.rim.size(), loop_length(mesh.vertices, fill.rim), fill.triangles, fill.added_points});
     }
   }
-  const auto stays = [&](const Loop& loop) {
-    return loop.kind == LoopKind::Outer || !has_all(filled, loop.points);
-  };
-  const auto gone = std::stable_partition(work.loops.begin(), work.loops.end(), stays);
-  const std::vector<Loop> taken(gone, work.loops.end());
-  work.loops.erase(gone, work.loops.end());
-  relabel(work, taken);
-  summary.kept = std::count_if(work.loops.begin(), work.loops.end(),
+  summary.kept = std::count_if(mesh.loops.begin(), mesh.loops.end(),
                                [](const Loop& loop) { return loop.kind == LoopKind::Hole; });
   summary.found = summary.kept + summary.filled.size();
-  if (summary.failed > 0) {
-    work.report.warnings.push_back(
+  return summary;
+}
+
+}  // namespace
+
+MappedMesh take_out_filled(MappedMesh mesh, const std::vector<PatchReport>& patches) {
+  const RimEdges filled = filled_edges(patches);
+  const auto gone = std::stable_partition(mesh.loops.begin(), mesh.loops.end(), [&](const Loop& loop) {
+    return loop.kind == LoopKind::Outer || !has_all(filled, loop.points);
+  });
+  const std::vector<Loop> taken(gone, mesh.loops.end());
+  mesh.loops.erase(gone, mesh.loops.end());
+  mesh.label = relabel(std::move(mesh.label), taken, mesh.loops);
+  mesh.holes = summarize_holes(mesh, patches);
+  if (mesh.holes->failed > 0) {
+    mesh.warnings.push_back(
         fmt::format("{} holes stay open: they touch another hole in a point, or every triangulation of their "
                     "rims would make an edge that the mesh has already",
-                    summary.failed));
+                    mesh.holes->failed));
   }
-  work.report.holes = std::move(summary);
+  return mesh;
 }
 
 }  // namespace rimline::pipeline

@@ -2,12 +2,15 @@
 // Holes that were filled are no boundary any more.
 #pragma once
 
-#include "pipeline/work.h"
+#include <vector>
+
+#include "pipeline/mapped_mesh.h"
+#include "rimline/refine.h"
 
 namespace rimline::pipeline {
 
-// Takes the loops that were filled out of the loops, their points off the boundary, and reports what became
-// of each hole.
-void take_out_filled(Work& work, const std::vector<PatchReport>& patches);
+// The mesh without the loops that were filled, their points no longer labelled boundary, and with a summary
+// of what became of each hole.
+MappedMesh take_out_filled(MappedMesh mesh, const std::vector<PatchReport>& patches);
 
 }  // namespace rimline::pipeline

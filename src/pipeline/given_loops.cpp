@@ -10,10 +10,9 @@
 namespace rimline::pipeline {
 namespace {
 
-// From ids of the input to those of the arrangement.
-void arrange_loops(const Work& work, std::vector<Loop>& loops) {
-  std::vector<Index> arranged(work.input.size(), none);
-  const std::vector<Index>& ids = work.arrangement.ids;
+std::vector<Loop> in_arranged_ids(std::vector<Loop> loops, const PreparedPoints& prepared) {
+  std::vector<Index> arranged(prepared.input.size(), none);
+  const std::vector<Index>& ids = prepared.ids();
   for (std::size_t i = 0; i < ids.size(); ++i) arranged[ids[i]] = static_cast<Index>(i);
   std::vector<Index> out;
   for (Loop& loop : loops) {
@@ -22,34 +21,33 @@ void arrange_loops(const Work& work, std::vector<Loop>& loops) {
       id = arranged[id];
     }
   }
-  if (out.empty()) return;
+  if (out.empty()) return loops;
   std::sort(out.begin(), out.end());
   const std::string message =
       fmt::format("{} points of the given loops take no part (duplicate, not finite or stray)", out.size());
   throw Error(ErrorCode::BadOption, message, std::move(out));
 }
 
-void label_points(Work& work) {
-  if (work.label.empty()) return;
-  for (PointLabel& label : work.label) {
-    if (label == PointLabel::Boundary) label = PointLabel::Interior;
-  }
-  for (const Loop& loop : work.loops) {
-    for (const Index id : loop.points) work.label[id] = PointLabel::Boundary;
-  }
-}
-
 }  // namespace
 
-void take_given_loops(Work& work) {
-  std::vector<Loop> loops = work.given.loops;
-  arrange_loops(work, loops);
+std::vector<Loop> arrange_loops(std::vector<Loop> given, const PreparedPoints& prepared,
+                                const BoundaryScores& scores, const LoopOptions& options) {
+  std::vector<Loop> loops = in_arranged_ids(std::move(given), prepared);
   for (Loop& loop : loops) {
-    loop.length = loop_length(work.arrangement.points, loop.points);
-    loop.fitness = fitness(loop.points, work.scores, work.options.loops);
+    loop.length = loop_length(prepared.points(), loop.points);
+    loop.fitness = fitness(loop.points, scores, options);
   }
-  work.loops = std::move(loops);
-  label_points(work);
+  return loops;
+}
+
+std::vector<PointLabel> label_boundary(std::vector<PointLabel> label, const std::vector<Loop>& loops) {
+  for (PointLabel& l : label) {
+    if (l == PointLabel::Boundary) l = PointLabel::Interior;
+  }
+  for (const Loop& loop : loops) {
+    for (const Index id : loop.points) label[id] = PointLabel::Boundary;
+  }
+  return label;
 }
 
 void check_reached(const std::vector<Index>& left_out) {

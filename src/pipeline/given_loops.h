@@ -2,13 +2,21 @@
 // A boundary made by hand in the place of one that was found.
 #pragma once
 
-#include "pipeline/work.h"
+#include <vector>
+
+#include "pipeline/prepare.h"
+#include "rimline/boundary.h"
+#include "rimline/exact_loops.h"
 
 namespace rimline::pipeline {
 
-// Puts the given loops, in ids of the arrangement, in the place of those found. Throws BadOption, naming the
+// The given loops in ids of the arrangement, with their lengths and fitness. Throws BadOption, naming the
 // points of the loops that take no part.
-void take_given_loops(Work& work);
+std::vector<Loop> arrange_loops(std::vector<Loop> given, const PreparedPoints& prepared,
+                                const BoundaryScores& scores, const LoopOptions& options);
+
+// The labels with the points of these loops, and no others, on the boundary.
+std::vector<PointLabel> label_boundary(std::vector<PointLabel> label, const std::vector<Loop>& loops);
 
 // Loops made by hand say what the surface is: points that none of them bounds are an error, not a remainder.
 // Throws UnreachableInterior with them.

@@ -4,22 +4,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+
+#include "pipeline/measure_reference.h"
 
 namespace rimline::pipeline {
 namespace {
 
 // One per vertex. Fills take theirs from their own edges: they have no neighbours in the sample.
-std::vector<double> spacing_of_vertices(const Work& work) {
-  std::vector<double> spacing = work.spacing;
+std::vector<double> spacing_of_vertices(std::vector<double> spacing, const MappedMesh& mesh) {
   const std::size_t points = spacing.size();
-  if (points == work.vertices.size()) return spacing;
-  std::vector<double> sum(work.vertices.size() - points, 0);
+  if (points == mesh.vertices.size()) return spacing;
+  std::vector<double> sum(mesh.vertices.size() - points, 0);
   std::vector<int> count(sum.size(), 0);
-  for (const Triangle& t : work.triangles) {
+  for (const Triangle& t : mesh.triangles) {
     for (int c = 0; c < 3; ++c) {
       const auto v = static_cast<std::size_t>(t[c]);
       if (v < points) continue;
-      sum[v - points] += distance(work.vertices[t[c]], work.vertices[t[(c + 1) % 3]]);
+      sum[v - points] += distance(mesh.vertices[t[c]], mesh.vertices[t[(c + 1) % 3]]);
       ++count[v - points];
     }
   }
@@ -36,20 +38,20 @@ struct Part {
 };
 
 // One for each component, its triangles in their order.
-std::vector<Part> parts_of(const Work& work, const std::vector<double>& spacing, std::size_t count) {
-  std::vector<Part> parts(count);
-  std::vector<Index> local(work.vertices.size(), none), owner(work.vertices.size(), none);
-  for (std::size_t t = 0; t < work.triangles.size(); ++t) {
-    Part& part = parts[work.triangle_patch[t]];
+std::vector<Part> parts_of(const MappedMesh& mesh, const std::vector<double>& spacing) {
+  std::vector<Part> parts(mesh.components.size());
+  std::vector<Index> local(mesh.vertices.size(), none), owner(mesh.vertices.size(), none);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Part& part = parts[mesh.triangle_patch[t]];
     Triangle& own = part.triangles.emplace_back();
     for (int c = 0; c < 3; ++c) {
-      const Index v = work.triangles[t][c];
-      if (owner[v] != work.triangle_patch[t]) {
-        owner[v] = work.triangle_patch[t];
+      const Index v = mesh.triangles[t][c];
+      if (owner[v] != mesh.triangle_patch[t]) {
+        owner[v] = mesh.triangle_patch[t];
         local[v] = static_cast<Index>(part.points.size());
-        part.points.push_back(work.vertices[v]);
+        part.points.push_back(mesh.vertices[v]);
         part.spacing.push_back(spacing[v]);
-        part.uv.push_back(work.uv[v]);
+        part.uv.push_back(mesh.uv[v]);
       }
       own[c] = local[v];
     }
@@ -57,112 +59,66 @@ std::vector<Part> parts_of(const Work& work, const std::vector<double>& spacing,
   return parts;
 }
 
-// A single component is the whole.
-void measure_components(Work& work, const std::vector<double>& spacing) {
-  std::vector<ComponentSummary>& components = work.report.components;
-  if (components.empty()) return;  // the paper's presets know one surface only
-  for (std::size_t i = 0; i < components.size(); ++i)
-    components[i].distortion = work.distortion.components[i];
-  if (components.size() == 1) {
-    components[0].mesh = work.report.mesh;
-    return;
+// Of each component: none where the method knows one surface only; a single one is the whole.
+std::vector<MeshSummary> measure_parts(const MappedMesh& mesh, const std::vector<double>& spacing,
+                                       const MeshSummary& whole, const Run& run) {
+  if (mesh.components.empty()) return {};
+  if (mesh.components.size() == 1) return {whole};
+  std::vector<MeshSummary> summaries;
+  for (const Part& part : parts_of(mesh, spacing)) {
+    summaries.push_back(part.triangles.empty()
+                            ? MeshSummary{}
+                            : measure_mesh(part.points, part.triangles, part.spacing, part.uv, run));
   }
-  const std::vector<Part> parts = parts_of(work, spacing, components.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].triangles.empty()) continue;
-    components[i].mesh =
-        measure_mesh(parts[i].points, parts[i].triangles, parts[i].spacing, parts[i].uv, work.run);
-  }
+  return summaries;
 }
 
-void measure_self_intersections(Work& work) {
-  const auto pairs = find_self_intersections(work.vertices, work.triangles, work.run);
-  work.report.self_intersections = pairs.size();
-  if (work.report.components.empty()) return;
+using Pairs = std::vector<std::array<Index, 2>>;
+
+// Per component, the pairs of which either triangle is its.
+std::vector<std::size_t> count_intersections(const Pairs& pairs, const MappedMesh& mesh) {
+  std::vector<std::size_t> counts(mesh.components.size(), 0);
+  if (counts.empty()) return counts;
   for (const auto& [s, t] : pairs) {
-    const Index a = work.triangle_patch[s], b = work.triangle_patch[t];
-    ++work.report.components[a].self_intersections;
-    if (a != b) ++work.report.components[b].self_intersections;
+    const Index a = mesh.triangle_patch[s], b = mesh.triangle_patch[t];
+    ++counts[a];
+    if (a != b) ++counts[b];
   }
+  return counts;
 }
 
-// The same vertices: as many, in the same places but for the rounding of a file.
-bool same_vertices(const Work& work, const std::vector<Point>& reference) {
-  if (reference.size() < work.input.size()) return false;
-  const double tolerance = 1e-3 * work.report.spacing.mean;
-  for (std::size_t i = 0; i < work.input.size(); ++i) {
-    const Point p = work.input[i];
-    if (is_finite(p) && !(distance(p, reference[i]) <= tolerance)) return false;
-  }
-  return true;
-}
-
-// In ids of the input, which those of the reference are where its vertices are the same.
-std::vector<Triangle> in_input_ids(const Work& work) {
-  std::vector<Triangle> triangles = work.triangles;
-  const auto used = static_cast<Index>(work.arrangement.ids.size());
-  const auto beyond = static_cast<Index>(work.given.reference.points.size());
-  for (Triangle& t : triangles) {
-    for (Index& v : t) v = v < used ? work.arrangement.ids[v] : beyond + v;
-  }
-  return triangles;
-}
-
-void measure_reference(Work& work) {
-  const Reference& given = work.given.reference;
-  if (given.triangles.empty()) return;
-  ReferenceSummary summary;
-  summary.name = given.name;
-  summary.points = given.points.size();
-  summary.triangles = given.triangles.size();
-  std::vector<Point> points;  // about the arrangement's origin
-  for (const Point& p : given.points) points.push_back(p - work.arrangement.origin);
-  for (const auto& [a, b, c] : given.triangles)
-    summary.area += 0.5 * norm(cross(points[b] - points[a], points[c] - points[a]));
-  const SurfaceDistance to_reference(points, given.triangles), to_mesh(work.vertices, work.triangles);
-  summary.to_reference = to_reference.from(work.vertices, work.triangles, work.run);
-  summary.from_reference = to_mesh.from(points, given.triangles, work.run);
-  summary.hausdorff = std::max(summary.to_reference.most, summary.from_reference.most);
-  if (same_vertices(work, given.points))
-    summary.edges_agree = edge_agreement(in_input_ids(work), given.triangles);
-  std::vector<std::vector<Triangle>> parts(work.report.components.size());
-  for (std::size_t t = 0; t < work.triangles.size() && !parts.empty(); ++t)
-    parts[work.triangle_patch[t]].push_back(work.triangles[t]);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].empty()) continue;
-    work.report.components[i].to_reference =
-        parts.size() == 1 ? summary.to_reference : to_reference.from(work.vertices, parts[i], work.run);
-  }
-  work.report.reference = std::move(summary);
-}
-
-void report_unmeshed(Work& work) {
-  Report& report = work.report;
-  const std::size_t added = work.vertices.size() - work.arrangement.points.size();
-  report.points.unmeshed = work.arrangement.points.size() + added - report.mesh.points_used;
-  if (report.points.unmeshed == 0) return;
-  const char* reason = work.is_paper()   ? "fell on others in the plane and are in no triangle"
-                       : work.range_scan ? "hang together with no loop, or lie beside the surface that was "
-                                           "scanned, and are in no triangle"
-                                         : "hang together with no loop and are in no triangle";
-  report.warnings.push_back(fmt::format("{} points {}", report.points.unmeshed, reason));
+std::vector<std::string> warn_of_unmeshed(std::size_t unmeshed, const MappedMesh& mesh) {
+  if (unmeshed == 0) return {};
+  return {fmt::format("{} points {}", unmeshed, mesh.unmeshed)};
 }
 
 }  // namespace
 
-void measure(Work& work) {
-  work.clock.enter(Stage::Measure);
-  Report& report = work.report;
-  report.has_mesh = true;
-  const std::vector<double> spacing = spacing_of_vertices(work);
-  report.mesh = measure_mesh(work.vertices, work.triangles, spacing, work.uv, work.run);
-  work.distortion = measure_distortion(work.vertices, work.triangles, work.uv, work.triangle_patch,
-                                       report.components.size(), work.run);
-  report.distortion = work.distortion.whole;
-  measure_components(work, spacing);
-  measure_self_intersections(work);
-  measure_reference(work);
-  report_unmeshed(work);
+Measures measure(const PreparedPoints& prepared, const MappedMesh& mesh, const Reference& reference,
+                 const Run& run, StageClock& clock) {
+  clock.enter(Stage::Measure);
+  const std::vector<double> spacing = spacing_of_vertices(prepared.spacing, mesh);
+  Measures measures;
+  measures.mesh = measure_mesh(mesh.vertices, mesh.triangles, spacing, mesh.uv, run);
+  measures.distortion = measure_distortion(mesh.vertices, mesh.triangles, mesh.uv, mesh.triangle_patch,
+                                           mesh.components.size(), run);
+  const std::vector<MeshSummary> parts = measure_parts(mesh, spacing, measures.mesh, run);
+  const Pairs pairs = find_self_intersections(mesh.vertices, mesh.triangles, run);
+  const std::vector<std::size_t> intersections = count_intersections(pairs, mesh);
+  const ReferenceMeasures distances = measure_reference(prepared, mesh, reference, run);
+  measures.self_intersections = pairs.size();
+  measures.components = mesh.components;
+  for (std::size_t i = 0; i < measures.components.size(); ++i) {
+    ComponentSummary& component = measures.components[i];
+    component.mesh = parts[i];
+    component.distortion = measures.distortion.components[i];
+    component.self_intersections = intersections[i];
+    if (distances.whole) component.to_reference = distances.components[i];
+  }
+  measures.reference = distances.whole;
+  measures.unmeshed = mesh.vertices.size() - measures.mesh.points_used;
+  measures.warnings = warn_of_unmeshed(measures.unmeshed, mesh);
+  return measures;
 }
 
 }  // namespace rimline::pipeline

@@ -10,77 +10,76 @@
 namespace rimline::pipeline {
 namespace {
 
-// One per vertex; those that fills added have none of their own.
-std::vector<Point> arranged_normals(const Work& work) {
-  std::vector<Point> normals;
-  if (work.given.normals.empty()) return normals;
-  for (const Index id : work.arrangement.ids) normals.push_back(work.given.normals[id]);
-  normals.resize(work.vertices.size());
-  return normals;
-}
-
 // The height about which a map is mirrored: the axis, where only signs change, or the middle of a box that
 // stands on it.
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 };
 
-std::vector<Range> ranges_of(const Work& work, std::size_t count) {
-  const bool box = work.options.map.domain == Domain::Square || work.options.map.domain == Domain::Rectangle;
-  if (!box) return std::vector<Range>(count, Range{0, 0});
-  std::vector<Range> ranges(count);
-  for (std::size_t i = 0; i < work.uv.size(); ++i) {
-    if (!work.patch.empty() && work.patch[i] == none) continue;
-    Range& range = ranges[work.patch.empty() ? 0 : work.patch[i]];
-    range.low = std::min(range.low, work.uv[i].v);
-    range.high = std::max(range.high, work.uv[i].v);
+std::vector<Range> heights_of(const MappedMesh& mesh, std::size_t patches, Domain domain) {
+  const bool box = domain == Domain::Square || domain == Domain::Rectangle;
+  if (!box) return std::vector<Range>(patches, Range{0, 0});
+  std::vector<Range> ranges(patches);
+  for (std::size_t i = 0; i < mesh.uv.size(); ++i) {
+    if (mesh.patch[i] == none) continue;
+    Range& range = ranges[mesh.patch[i]];
+    range.low = std::min(range.low, mesh.uv[i].v);
+    range.high = std::max(range.high, mesh.uv[i].v);
   }
   return ranges;
 }
 
 // Seen from the side it faces, the map of a patch that was turned round is mirrored too: triangles stay
 // counter-clockwise in uv, and loops keep the surface on their left.
-void mirror(Work& work, const std::vector<char>& turned) {
-  const auto is_turned = [&](Index point) {
-    if (work.patch.empty()) return turned[0] != 0;
-    return work.patch[point] != none && turned[work.patch[point]] != 0;
+MappedMesh mirror(MappedMesh mesh, const std::vector<char>& turned, Domain domain) {
+  const bool whole = mesh.patch.empty();
+  const auto is_turned = [&](Index v) {
+    if (whole) return turned[0] != 0;
+    return mesh.patch[v] != none && turned[mesh.patch[v]] != 0;
   };
-  const std::vector<Range> ranges = ranges_of(work, turned.size());
-  for (Index i = 0; i < static_cast<Index>(work.uv.size()); ++i) {
+  const std::vector<Range> heights = heights_of(mesh, turned.size(), domain);
+  for (Index i = 0; i < static_cast<Index>(mesh.uv.size()); ++i) {
     if (!is_turned(i)) continue;
-    const Range& range = ranges[work.patch.empty() ? 0 : work.patch[i]];
-    work.uv[i].v = range.low + range.high - work.uv[i].v;
+    const Range& range = heights[whole ? 0 : mesh.patch[i]];
+    mesh.uv[i].v = range.low + range.high - mesh.uv[i].v;
   }
-  for (Loop& loop : work.loops) {
+  for (Loop& loop : mesh.loops) {
     if (is_turned(loop.points.front())) std::reverse(loop.points.begin() + 1, loop.points.end());
   }
+  return mesh;
 }
 
 }  // namespace
 
-void orient_whole(Work& work) {
-  const std::vector<Point> normals = arranged_normals(work);
-  if (orient_mesh(work.vertices, work.triangles, normals, work.options.mesh.up)) {
-    mirror(work, {1});
-  }
+std::vector<Point> arranged_normals(const Given& given, const PreparedPoints& prepared) {
+  std::vector<Point> normals;
+  if (given.normals.empty()) return normals;
+  for (const Index id : prepared.ids()) normals.push_back(given.normals[id]);
+  return normals;
 }
 
-void orient_patches(Work& work, std::size_t count) {
-  const std::vector<Point> normals = arranged_normals(work);
-  std::vector<char> turned(count, 0);
-  auto from = work.triangles.begin();
-  for (std::size_t begin = 0; begin < work.triangles.size();) {  // patch after patch
-    const Index patch = work.triangle_patch[begin];
+MappedMesh orient_whole(MappedMesh mesh, std::vector<Point> normals, Point up) {
+  if (!orient_mesh(mesh.vertices, mesh.triangles, normals, up)) return mesh;
+  return mirror(std::move(mesh), {1}, Domain::Disc);
+}
+
+MappedMesh orient_patches(MappedMesh mesh, std::vector<Point> normals, Point up, Domain domain) {
+  if (!normals.empty()) normals.resize(mesh.vertices.size());  // vertices of fills have none of their own
+  std::vector<char> turned(mesh.components.size(), 0);
+  const auto at = [&](std::size_t t) { return mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t); };
+  for (std::size_t begin = 0; begin < mesh.triangles.size();) {  // patch after patch
+    const Index patch = mesh.triangle_patch[begin];
     std::size_t end = begin;
-    while (end < work.triangles.size() && work.triangle_patch[end] == patch) ++end;
-    const auto at = [&](std::size_t t) { return from + static_cast<std::ptrdiff_t>(t); };
+    while (end < mesh.triangles.size() && mesh.triangle_patch[end] == patch) ++end;
     std::vector<Triangle> part(at(begin), at(end));
-    turned[patch] = orient_mesh(work.vertices, part, normals, work.options.mesh.up);
+    turned[patch] = orient_mesh(mesh.vertices, part, normals, up);
     std::copy(part.begin(), part.end(), at(begin));
     begin = end;
   }
-  mirror(work, turned);
-  pack_patches(work.patch, count, work.uv);  // those mirrored about the axis may have come over others
+  const std::size_t patches = turned.size();
+  mesh = mirror(std::move(mesh), turned, domain);
+  pack_patches(mesh.patch, patches, mesh.uv);  // those mirrored about the axis may have come over others
+  return mesh;
 }
 
 }  // namespace rimline::pipeline

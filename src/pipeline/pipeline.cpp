@@ -2,11 +2,12 @@
 // The method on one screen.
 #include "rimline/pipeline.h"
 
-#include "pipeline/find_loops.h"
-#include "pipeline/input.h"
-#include "pipeline/map_and_mesh.h"
 #include "pipeline/measure.h"
+#include "pipeline/method.h"
+#include "pipeline/prepare.h"
+#include "pipeline/report.h"
 #include "pipeline/results.h"
+#include "pipeline/score.h"
 #include "rimline/memory.h"
 
 namespace rimline {
@@ -15,53 +16,73 @@ using namespace pipeline;
 
 namespace {
 
-// The loops of the input: where all three ways begin. `last` is the stage that they end with.
-Work with_loops(Points points, const Options& options, const Run& run, const Given& given, Stage last) {
-  Work work{points, options, run, given};
-  check_input(work);
+// `last` is the stage that the run ends with.
+void check(Points points, const Options& options, const Given& given, const Method& method, Stage last,
+           const Run& run) {
+  check_options(options);
+  method.check_options(options);
+  check_input(points, options, given);
   check_memory(points.size(), options, last, run);
-  prepare(work);
-  find_loops(work);
-  return work;
 }
 
 }  // namespace
 
 BoundaryResult find_boundary(Points points, const Options& options, const Run& run, const Given& given) {
-  Work work = with_loops(points, options, run, given, Stage::Loops);
-  work.clock.enter(Stage::Write);
-  return boundary_result(work);
+  const Method& method = method_of(options.preset);
+  check(points, options, given, method, Stage::Loops, run);
+  StageClock clock;
+  const PreparedPoints prepared = prepare(points, options, run, clock);                      // Definition 2.1
+  const BoundaryScores scores = score(prepared, options, run, clock);                        // eq. (1)
+  const FoundLoops found = method.find_loops(prepared, scores, options, given, run, clock);  // eqs. (2), (3)
+  clock.enter(Stage::Write);
+  const Report report = report_boundary(prepared, scores, found, options, run);
+  BoundaryResult result = boundary_of_input(prepared, scores, found.probability, found.label, found.loops,
+                                            options.loops.score_form, run);
+  result.report = finish(report, result, run, clock);
+  return result;
 }
 
 ParameterizeResult parameterize(Points points, const Options& options, const Run& run, const Given& given) {
-  Work work = with_loops(points, options, run, given, Stage::Refine);
-  work.is_paper() ? map_to_the_disc(work) : mesh_patches(work);
-  work.clock.enter(Stage::Write);
+  const Method& method = method_of(options.preset);
+  check(points, options, given, method, Stage::Refine, run);
+  StageClock clock;
+  const PreparedPoints prepared = prepare(points, options, run, clock);
+  const BoundaryScores scores = score(prepared, options, run, clock);
+  const FoundLoops found = method.find_loops(prepared, scores, options, given, run, clock);
+  const MappedMesh map = method.map(prepared, found, options, given, run, clock);  // eq. (4)
+  clock.enter(Stage::Write);
+  const Report report = add_map(report_boundary(prepared, scores, found, options, run), map);
   ParameterizeResult result;
-  result.uv = uv_of_input(work);
+  result.uv = uv_of_input(prepared, map.uv);
   result.uv.resize(points.size());  // vertices that fills added have no place among the points
-  result.boundary = boundary_result(work);
+  result.boundary = boundary_of_input(prepared, scores, found.probability, map.label, map.loops,
+                                      options.loops.score_form, run);
+  result.boundary.report = finish(report, result.boundary, run, clock);
   return result;
 }
 
 ReconstructResult reconstruct(Points points, const Options& options, const Run& run, const Given& given) {
-  Work work = with_loops(points, options, run, given, Stage::Measure);
-  if (work.is_paper()) {
-    map_to_the_disc(work);
-    triangulate_the_disc(work);
-  } else {
-    mesh_patches(work);
-  }
-  measure(work);
-  work.clock.enter(Stage::Write);
+  const Method& method = method_of(options.preset);
+  check(points, options, given, method, Stage::Measure, run);
+  StageClock clock;
+  const PreparedPoints prepared = prepare(points, options, run, clock);
+  const BoundaryScores scores = score(prepared, options, run, clock);
+  const FoundLoops found = method.find_loops(prepared, scores, options, given, run, clock);
+  const MappedMesh mesh = method.mesh(prepared, found, options, given, run, clock);  // eq. (4), Delaunay
+  Measures measures = measure(prepared, mesh, given.reference, run, clock);
+  clock.enter(Stage::Write);
+  const Report on_boundary = report_boundary(prepared, scores, found, options, run);
+  const Report report = add_measures(add_map(on_boundary, mesh), measures);
   ReconstructResult result;
-  result.uv = uv_of_input(work);
-  result.added = added_points(work);
-  result.triangles = triangles_of_input(work);
-  result.filled.assign(work.filled.begin(), work.filled.end());
-  result.distortion = distortion_of_input(work);
-  result.patch = patch_of_input(work);
-  result.boundary = boundary_result(work);
+  result.added = added_points(prepared, mesh);
+  result.uv = uv_of_input(prepared, mesh.uv);
+  result.triangles = triangles_of_input(prepared, mesh.triangles);
+  result.patch = patch_of_input(prepared, mesh.patch);
+  result.filled.assign(mesh.filled.begin(), mesh.filled.end());
+  result.distortion = distortion_of_input(prepared, std::move(measures.distortion));
+  result.boundary = boundary_of_input(prepared, scores, found.probability, mesh.label, mesh.loops,
+                                      options.loops.score_form, run);
+  result.boundary.report = finish(report, result.boundary, run, clock);
   return result;
 }
 

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "parallel.h"
-#include "rimline/loops.h"
 #include "rimline/unfilled.h"
 
 namespace rimline::pipeline {
@@ -15,66 +14,73 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// What is told of a point, as the stages have it.
-struct Told {
+// What is known of a point, as the stages have it.
+struct Record {
   double log_score;
   float probability;
   PointLabel label;
   std::uint8_t candidate;
 };
-constexpr Told left_out{nan, static_cast<float>(nan), PointLabel::Stray, 0};
+constexpr Record left_out{nan, static_cast<float>(nan), PointLabel::Stray, 0};
 
 // In the order of the input. Put there as one record a point, since each goes to another place in memory.
-UnfilledVector<Told> told_of_input(const Work& work, const Run& run) {
-  UnfilledVector<Told> told(work.input.size());
-  const std::vector<Index>& ids = work.arrangement.ids;
-  if (ids.size() < told.size()) std::fill(told.begin(), told.end(), left_out);
+UnfilledVector<Record> records_of_input(const PreparedPoints& prepared, const BoundaryScores& scores,
+                                        const std::vector<float>& probability,
+                                        const std::vector<PointLabel>& label, const Run& run) {
+  UnfilledVector<Record> records(prepared.input.size());
+  const std::vector<Index>& ids = prepared.ids();
+  if (ids.size() < records.size()) std::fill(records.begin(), records.end(), left_out);
   parallel_for_each(ids.size(), Stage::Write, run, [&](Index i) {
-    Told x = left_out;
-    x.log_score = work.scores.log_score[i];
-    x.candidate = work.scores.candidate[i];
-    if (!work.is_paper()) {
-      x.probability = work.probability[i];
-      x.label = work.label[i];
+    Record x = left_out;
+    x.log_score = scores.log_score[i];
+    x.candidate = scores.candidate[i];
+    if (!label.empty()) {
+      x.probability = probability[i];
+      x.label = label[i];
     }
-    told[ids[i]] = x;
+    records[ids[i]] = x;
   });
-  return told;
+  return records;
 }
 
-// What the tests say of each point.
-void put_points(const Work& work, BoundaryResult& result) {
-  const std::size_t n = work.input.size();
-  const Run silent = work.run.without_progress();  // takes a moment
-  const UnfilledVector<Told> told = told_of_input(work, silent);
-  const std::size_t rated = work.is_paper() ? 0 : n;
-  parallel_tasks(4, Stage::Write, silent, [&](std::size_t k) {
-    if (k == 0) result.p_value.resize(n);
-    if (k == 1) result.score.resize(n);
-    if (k == 2) result.loop.resize(n, none);
+// A result with room for `points`, of which those of `rated` have a probability and a label.
+BoundaryResult make_room(std::size_t points, std::size_t rated, const Run& run) {
+  BoundaryResult result;
+  parallel_tasks(4, Stage::Write, run, [&](std::size_t k) {
+    if (k == 0) result.p_value.resize(points);
+    if (k == 1) result.score.resize(points);
+    if (k == 2) result.loop.resize(points, none);
     if (k < 3) return;
-    result.boundary.resize(n);
-    result.candidate.resize(n);
+    result.boundary.resize(points);
+    result.candidate.resize(points);
     result.boundary_probability.resize(rated);
     result.label.resize(rated);
   });
-  parallel_for_each(n, Stage::Write, silent, [&](Index id) {
-    const Told& x = told[id];
-    const bool is_told = !std::isnan(x.log_score);
-    result.p_value[id] = is_told ? p_value(x.log_score) : nan;
-    result.score[id] = is_told ? score(x.log_score, work.options.loops.score_form) : nan;
+  return result;
+}
+
+// What the tests say of each point.
+BoundaryResult unpack(const UnfilledVector<Record>& records, bool rated, ScoreForm form, const Run& run) {
+  const std::size_t n = records.size();
+  BoundaryResult result = make_room(n, rated ? n : 0, run);
+  parallel_for_each(n, Stage::Write, run, [&](Index id) {
+    const Record& x = records[id];
+    const bool is_known = !std::isnan(x.log_score);
+    result.p_value[id] = is_known ? p_value(x.log_score) : nan;
+    result.score[id] = is_known ? score(x.log_score, form) : nan;
     result.candidate[id] = x.candidate;
-    if (rated == 0) return;
+    if (!rated) return;
     result.boundary_probability[id] = x.probability;
     result.label[id] = x.label;
   });
+  return result;
 }
 
 // From one value per vertex to one per point of the input, then per added one.
 template <class T>
-std::vector<T> of_input(const Work& work, const std::vector<T>& values, T unknown) {
-  const std::vector<Index>& ids = work.arrangement.ids;
-  std::vector<T> result(work.input.size(), unknown);
+std::vector<T> of_input(const PreparedPoints& prepared, const std::vector<T>& values, T unknown) {
+  const std::vector<Index>& ids = prepared.ids();
+  std::vector<T> result(prepared.input.size(), unknown);
   for (std::size_t i = 0; i < std::min(ids.size(), values.size()); ++i) result[ids[i]] = values[i];
   if (values.size() > ids.size())
     result.insert(result.end(), values.begin() + static_cast<std::ptrdiff_t>(ids.size()), values.end());
@@ -82,7 +88,7 @@ std::vector<T> of_input(const Work& work, const std::vector<T>& values, T unknow
 }
 
 // A point that two loops share carries the id of the longer one.
-void mark_loops(const std::vector<Loop>& loops, BoundaryResult& result) {
+BoundaryResult with_loops(BoundaryResult result, std::vector<Loop> loops) {
   for (Index l = 0; l < static_cast<Index>(loops.size()); ++l) {
     for (const Index id : loops[l].points) {
       result.boundary[id] = 1;
@@ -90,71 +96,54 @@ void mark_loops(const std::vector<Loop>& loops, BoundaryResult& result) {
       if (mark == none || loops[mark].length < loops[l].length) mark = l;
     }
   }
-}
-
-// The paper's by-product (section 6): candidates that are not on the boundary. Ours has a label for them.
-std::size_t count_undersampled(const Work& work, const BoundaryResult& result) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < work.input.size(); ++i) {
-    count += work.is_paper() ? result.candidate[i] && !result.boundary[i]
-                             : result.label[i] == PointLabel::Undersampled;
-  }
-  return count;
+  result.loops = std::move(loops);
+  return result;
 }
 
 }  // namespace
 
-std::vector<Point> added_points(const Work& work) {
+std::vector<Point> added_points(const PreparedPoints& prepared, const MappedMesh& mesh) {
   std::vector<Point> added;
-  for (std::size_t i = work.arrangement.points.size(); i < work.vertices.size(); ++i)
-    added.push_back(work.vertices[i] + work.arrangement.origin);
+  for (std::size_t i = prepared.points().size(); i < mesh.vertices.size(); ++i)
+    added.push_back(mesh.vertices[i] + prepared.arrangement.origin);
   return added;
 }
 
-std::vector<UV> uv_of_input(const Work& work) { return of_input(work, work.uv, UV{nan, nan}); }
-
-std::vector<Index> patch_of_input(const Work& work) {
-  return work.patch.empty() ? std::vector<Index>{} : of_input(work, work.patch, none);
+std::vector<UV> uv_of_input(const PreparedPoints& prepared, const std::vector<UV>& uv) {
+  return of_input(prepared, uv, UV{nan, nan});
 }
 
-std::vector<Triangle> triangles_of_input(const Work& work) {
-  std::vector<Triangle> triangles = work.triangles;
-  const auto used = static_cast<Index>(work.arrangement.ids.size());
-  const auto input = static_cast<Index>(work.input.size());
+std::vector<Index> patch_of_input(const PreparedPoints& prepared, const std::vector<Index>& patch) {
+  return patch.empty() ? std::vector<Index>{} : of_input(prepared, patch, none);
+}
+
+std::vector<Triangle> triangles_of_input(const PreparedPoints& prepared, std::vector<Triangle> triangles) {
+  const std::vector<Index>& ids = prepared.ids();
+  const auto used = static_cast<Index>(ids.size());
+  const auto input = static_cast<Index>(prepared.input.size());
   for (Triangle& t : triangles) {
-    for (Index& v : t) v = v < used ? work.arrangement.ids[v] : input + (v - used);
+    for (Index& v : t) v = v < used ? ids[v] : input + (v - used);
   }
   return triangles;
 }
 
-Distortion distortion_of_input(Work& work) {
-  Distortion result = std::move(work.distortion);
+Distortion distortion_of_input(const PreparedPoints& prepared, Distortion distortion) {
   constexpr auto unknown = static_cast<float>(nan);
-  for (auto* values :
-       {&result.point.angle, &result.point.area, &result.point.stretch, &result.point.max_stretch}) {
-    *values = of_input(work, *values, unknown);
-  }
-  return result;
+  Distortion::Values& point = distortion.point;
+  for (auto* values : {&point.angle, &point.area, &point.stretch, &point.max_stretch})
+    *values = of_input(prepared, *values, unknown);
+  return distortion;
 }
 
-BoundaryResult boundary_result(Work& work) {
-  BoundaryResult result;
-  put_points(work, result);
-  for (Loop& loop : work.loops) {
-    for (Index& id : loop.points) id = work.arrangement.ids[id];
+BoundaryResult boundary_of_input(const PreparedPoints& prepared, const BoundaryScores& scores,
+                                 const std::vector<float>& probability, const std::vector<PointLabel>& label,
+                                 std::vector<Loop> loops, ScoreForm form, const Run& run) {
+  const Run silent = run.without_progress();  // takes a moment
+  const auto records = records_of_input(prepared, scores, probability, label, silent);
+  for (Loop& loop : loops) {
+    for (Index& id : loop.points) id = prepared.ids()[id];
   }
-  mark_loops(work.loops, result);
-  Report& report = work.report;
-  report.undersampled = count_undersampled(work, result);
-  work.clock.leave();
-  report.options = work.options;
-  report.seed = work.run.seed;
-  report.loops = work.loops;
-  report.threads = thread_count(work.run);
-  report.stages = work.clock.costs();
-  result.loops = std::move(work.loops);
-  result.report = std::move(report);
-  return result;
+  return with_loops(unpack(records, !label.empty(), form, silent), std::move(loops));
 }
 
 }  // namespace rimline::pipeline

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What leaves: in the order and ids of the input, with the report.
+// What leaves, in the order and ids of the input.
 #pragma once
 
-#include "pipeline/work.h"
+#include <vector>
+
+#include "pipeline/method.h"
+#include "pipeline/prepare.h"
+#include "rimline/boundary.h"
 
 namespace rimline::pipeline {
 
-// Per point of the input, then per vertex that fills added.
-std::vector<UV> uv_of_input(const Work& work);
-std::vector<Index> patch_of_input(const Work& work);
-Distortion distortion_of_input(Work& work);  // takes it out of `work`
+// From one value per vertex to one per point of the input, then per added one; NaN or `none` for points that
+// take no part. Patches are empty where there is one only.
+std::vector<UV> uv_of_input(const PreparedPoints& prepared, const std::vector<UV>& uv);
+std::vector<Index> patch_of_input(const PreparedPoints& prepared, const std::vector<Index>& patch);
+Distortion distortion_of_input(const PreparedPoints& prepared, Distortion distortion);
 
-std::vector<Point> added_points(const Work& work);
-std::vector<Triangle> triangles_of_input(const Work& work);
+std::vector<Point> added_points(const PreparedPoints& prepared, const MappedMesh& mesh);
+std::vector<Triangle> triangles_of_input(const PreparedPoints& prepared, std::vector<Triangle> triangles);
 
-// The loops, what is known of each point, and the report. Takes them out of `work`: the last call.
-BoundaryResult boundary_result(Work& work);
+// The loops, and what is known of each point. `label` is that of the loops; the report is left empty.
+BoundaryResult boundary_of_input(const PreparedPoints& prepared, const BoundaryScores& scores,
+                                 const std::vector<float>& probability, const std::vector<PointLabel>& label,
+                                 std::vector<Loop> loops, ScoreForm form, const Run& run);
 
 }  // namespace rimline::pipeline

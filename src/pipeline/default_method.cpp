@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ours in place of sections 3 and 5: every loop of every component, each component a patch of its own.
+#include "pipeline/given_loops.h"
+#include "pipeline/mesh_patches.h"
+#include "pipeline/method.h"
+
+namespace rimline::pipeline {
+namespace {
+
+void all_options_are_ours(const Options&) {}
+
+SearchSummary summarize(RimSearchSummary search) {
+  SearchSummary summary;
+  summary.doubtful = search.doubtful;
+  summary.groups = search.groups;
+  summary.greedy_fitness = search.greedy;
+  summary.history = std::move(search.history);
+  return summary;
+}
+
+// The search reports its progress as two stages, and so tells the clock where the first of them ends.
+Run with_clock(const Run& run, StageClock& clock) {
+  Run timed = run;
+  timed.on_progress = [&run, &clock](Progress progress) {
+    if (progress.stage == Stage::Loops) clock.follow(Stage::Loops);
+    if (run.on_progress) run.on_progress(progress);
+  };
+  return timed;
+}
+
+FoundLoops find_all_loops(const PreparedPoints& prepared, const BoundaryScores& scores,
+                          const Options& options, const Given& given, const Run& run, StageClock& clock) {
+  clock.enter(Stage::Survey);
+  BoundarySurvey survey = with_ids_of_input(prepared, [&] {
+    return find_exact_loops(prepared.points(), prepared.neighbours, prepared.spacing, scores, options.exact,
+                            options.loops.length_exponent, with_clock(run, clock));
+  });
+  FoundLoops found;
+  found.probability = std::move(survey.probability);
+  found.search = summarize(std::move(survey.search));
+  if (!given.loops.empty()) {  // the triangles, which end at other loops, would tell the parts wrongly apart
+    found.loops = arrange_loops(given.loops, prepared, scores, options.loops);
+    found.label = label_boundary(std::move(survey.label), found.loops);
+    return found;
+  }
+  found.loops = std::move(survey.loops);
+  found.label = std::move(survey.label);
+  found.surface = std::move(survey.triangles);
+  found.range_scan = survey.range_scan;
+  if (found.loops.empty())
+    found.warnings = {"no loop was found: the surface is closed, or its boundary can not be told"};
+  return found;
+}
+
+}  // namespace
+
+const Method& default_method() {
+  static constexpr Method method{all_options_are_ours, find_all_loops, mesh_patches, mesh_patches};
+  return method;
+}
+
+}  // namespace rimline::pipeline

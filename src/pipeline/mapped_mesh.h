@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The surface in the plane and in space.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rimline/exact_loops.h"
+#include "rimline/mesh.h"
+#include "rimline/report.h"
+
+namespace rimline::pipeline {
+
+// Ids are those of the arrangement, then those of the vertices that fills added.
+struct MappedMesh {
+  std::vector<Point> vertices;  // the points of the arrangement, then those that fills added
+  std::vector<UV> uv;           // one per vertex
+  std::vector<Index> patch;     // of each vertex, or `none`; empty where there is one patch only
+  std::vector<Triangle> triangles;
+  std::vector<Index> triangle_patch;  // as `patch`
+  std::vector<char> filled;           // per triangle, 1 where it closes a hole, or empty
+  std::vector<Loop> loops;            // where the mesh ends, the surface on their left
+  std::vector<PointLabel> label;      // FoundLoops::label, but for the holes that were filled
+  MapSummary map;
+  std::vector<ComponentSummary> components;  // one per patch, or empty
+  std::optional<HoleSummary> holes;
+  std::string unmeshed;  // why used points may be in no triangle: the end of a sentence
+  std::vector<std::string> warnings;
+};
+
+}  // namespace rimline::pipeline

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A method: how the loops are found, and how the surface that they bound is mapped and meshed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/mapped_mesh.h"
+#include "pipeline/prepare.h"
+#include "rimline/boundary.h"
+#include "rimline/exact_loops.h"
+
+namespace rimline::pipeline {
+
+// The loops, and what else the search for them tells of the surface.
+struct FoundLoops {
+  std::vector<Loop> loops;
+  std::vector<float> probability;  // per point; of the default method
+  std::vector<PointLabel> label;   // per point; of the default method
+  std::vector<Triangle> surface;   // that the loops were found on; of the default method
+  bool range_scan = false;         // BoundarySurvey::range_scan
+  SearchSummary search;
+  std::vector<std::string> warnings;
+};
+
+// What differs between the presets. Everything else is common to them.
+struct Method {
+  // Throws BadOption for options that the method does not have.
+  void (*check_options)(const Options&);
+
+  FoundLoops (*find_loops)(const PreparedPoints&, const BoundaryScores&, const Options&, const Given&,
+                           const Run&, StageClock&);
+
+  // The map; the triangles where they come with it.
+  MappedMesh (*map)(const PreparedPoints&, const FoundLoops&, const Options&, const Given&, const Run&,
+                    StageClock&);
+
+  // The map and the triangles.
+  MappedMesh (*mesh)(const PreparedPoints&, const FoundLoops&, const Options&, const Given&, const Run&,
+                     StageClock&);
+};
+
+// Sections 3 and 5 of the paper, and what is ours in their place.
+const Method& method_of_the_paper();
+const Method& default_method();
+
+// The one place that asks for the preset.
+const Method& method_of(Preset preset);
+
+}  // namespace rimline::pipeline

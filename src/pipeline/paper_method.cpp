@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sections 3 and 5 of the paper: one loop, the disc, its Delaunay triangulation.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pipeline/given_loops.h"
+#include "pipeline/method.h"
+#include "pipeline/orientation.h"
+#include "rimline/loops.h"
+#include "rimline/parameterize.h"
+#include "rimline/triangulate.h"
+
+namespace rimline::pipeline {
+namespace {
+
+void check_options_of_the_paper(const Options& options) {
+  if (options.map.domain != Domain::Disc) {
+    throw Error(ErrorCode::BadOption,
+                "the paper's presets map to the disc alone; take the preset default for others");
+  }
+  if (options.mesh.holes.fill) {
+    throw Error(ErrorCode::BadOption,
+                "the paper's presets fill every hole through the map; --holes is of the preset default");
+  }
+}
+
+std::vector<std::string> warn_of_bound(const SearchSummary& search, const BoundaryScores& scores,
+                                       const LoopOptions& options) {
+  if (!search.bound_hit) return {};
+  return {
+      fmt::format("the search for closed paths stopped at its bound of {} steps after {} of {} "
+                  "candidates; raise max_path_steps to search them all",
+                  options.max_path_steps, search.starts,
+                  std::count(scores.candidate.begin(), scores.candidate.end(), 1))};
+}
+
+// Section 3, Algorithms 3.1 and 3.2.
+FoundLoops find_loop(const PreparedPoints& prepared, const BoundaryScores& scores, const Options& options,
+                     const Given& given, const Run& run, StageClock& clock) {
+  clock.enter(Stage::Loops);
+  FoundLoops found;
+  if (!given.loops.empty()) {
+    found.loops = arrange_loops(given.loops, prepared, scores, options.loops);
+    return found;
+  }
+  GeneticLoop genetic = with_ids_of_input(prepared, [&] {
+    return find_genetic_loop(prepared.points(), prepared.neighbours, scores, options.loops, run);
+  });
+  found.warnings = warn_of_bound(genetic.search, scores, options.loops);
+  found.loops = {std::move(genetic.loop)};
+  found.search = std::move(genetic.search);
+  return found;
+}
+
+const Loop& longest_outer(const std::vector<Loop>& loops) {
+  return *std::max_element(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) {
+    return std::pair(a.kind == LoopKind::Outer, a.length) < std::pair(b.kind == LoopKind::Outer, b.length);
+  });
+}
+
+// Section 5, eq. (4): the rim of the disc is the longest outer loop; other loops are filled (section 6).
+MappedMesh map_to_the_disc(const PreparedPoints& prepared, const FoundLoops& found, const Options& options,
+                           const Given&, const Run& run, StageClock& clock) {
+  clock.enter(Stage::Parameterize);
+  const std::vector<Index>& rim = longest_outer(found.loops).points;
+  DiscMap disc = with_ids_of_input(
+      prepared, [&] { return map_to_disc(prepared.points(), prepared.neighbours, rim, options.map, run); });
+  MappedMesh mesh;
+  mesh.vertices = prepared.points();
+  mesh.uv = std::move(disc.uv);
+  mesh.loops = found.loops;
+  mesh.map = disc.summary;
+  mesh.unmeshed = "fell on others in the plane and are in no triangle";
+  return mesh;
+}
+
+// Section 5: the Delaunay triangulation of the parameter points, lifted to the points.
+MappedMesh mesh_the_disc(const PreparedPoints& prepared, const FoundLoops& found, const Options& options,
+                         const Given& given, const Run& run, StageClock& clock) {
+  MappedMesh mesh = map_to_the_disc(prepared, found, options, given, run, clock);
+  clock.enter(Stage::Triangulate);
+  mesh.triangles = delaunay(mesh.uv, run);
+  return orient_whole(std::move(mesh), arranged_normals(given, prepared), options.mesh.up);
+}
+
+}  // namespace
+
+const Method& method_of_the_paper() {
+  static constexpr Method method{check_options_of_the_paper, find_loop, map_to_the_disc, mesh_the_disc};
+  return method;
+}
+
+}  // namespace rimline::pipeline

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What came in: checked, arranged, its neighbours and its spacing found.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "rimline/arrange.h"
+#include "rimline/neighbours.h"
+#include "rimline/pipeline.h"
+#include "rimline/stage_clock.h"
+
+namespace rimline::pipeline {
+
+// The points that take part, and their k-nearest graph. All stages after it speak of `points()`; results.h
+// translates what leaves to the ids of the input.
+struct PreparedPoints {
+  Points input;
+  Arrangement arrangement;
+  Neighbours neighbours;
+  std::vector<double> spacing;  // local_spacing()
+  SpacingSummary spacing_summary;
+
+  const std::vector<Point>& points() const { return arrangement.points; }
+  const std::vector<Index>& ids() const { return arrangement.ids; }
+};
+
+// Throws BadOption for options out of range, corners and given loops that name points which the input does
+// not have, and normals that are not one per point.
+void check_input(Points input, const Options& options, const Given& given);
+
+PreparedPoints prepare(Points input, const Options& options, const Run& run, StageClock& clock);
+
+// Calls body() and returns what it returns. Errors of the stages name points of the arrangement; users know
+// those of their file, so the ids of an error are translated on its way out.
+template <class Body>
+auto with_ids_of_input(const PreparedPoints& prepared, const Body& body) {
+  try {
+    return body();
+  } catch (const Error& error) {
+    std::vector<Index> ids;
+    for (const Index id : error.ids()) ids.push_back(prepared.ids()[id]);
+    std::sort(ids.begin(), ids.end());
+    throw Error(error.code(), error.what(), std::move(ids));
+  }
+}
+
+}  // namespace rimline::pipeline
