@@ -10,6 +10,7 @@
 
 #include "help.h"
 #include "parse.h"
+#include "rimline/formats.h"
 #include "rimline/version.h"
 
 namespace rimline::cli {
@@ -172,7 +173,8 @@ void add_common(CLI::App& command, Common& common) {
 
 void add_input(CLI::App& command, std::string& input) {
   command
-      .add_option("input", input, "Points: PLY, XYZ/TXT/CSV, OBJ, OFF, PCD or STL; - reads standard input")
+      .add_option("input", input,
+                  fmt::format("Points: {}; - reads standard input", names_of_formats(FormatUse::ReadPoints)))
       ->type_name("IN")
       ->required()
       ->group("Files");
@@ -189,8 +191,8 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
   const std::string files = "Files";
   command
       .add_option("--loops", arguments.loops,
-                  "Write the loops: json (schema 1), geojson, wkt, csv, ply (edges), obj (lines) or dxf; - "
-                  "is JSON on standard output")
+                  fmt::format("Write the loops, by the ending: {}; - is JSON on standard output",
+                              text_of_endings(FormatUse::WriteLoops)))
       ->type_name("LOOPS.json")
       ->group(files);
   command
@@ -243,8 +245,9 @@ void add_mesh_method(CLI::App& command, MethodArguments& arguments) {
   command
       .add_option(
           "--reference", arguments.reference,
-          "Measure the mesh against this one (PLY, OBJ, OFF or STL): Hausdorff and mean distances both "
-          "ways, and agreement of edges where the vertices are the same; in the report and the summary")
+          fmt::format("Measure the mesh against this one ({}): Hausdorff and mean distances both ways, and "
+                      "agreement of edges where the vertices are the same; in the report and the summary",
+                      names_of_formats(FormatUse::ReadFaces)))
       ->type_name("MESH")
       ->group("Files");
   command

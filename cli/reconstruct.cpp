@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <memory>
 
 #include "columns.h"
 #include "method.h"
+#include "rimline/formats.h"
 #include "rimline/io.h"
 #include "subcommands.h"
 
@@ -59,7 +63,8 @@ void add_reconstruct(CLI::App& tool) {
                      "Make a triangle mesh of the points that ends exactly at the boundary of their surface.",
                      "rimline reconstruct scan.ply -o mesh.ply --loops loops.json --report report.json");
   add_input(command, arguments->input);
-  add_output(command, arguments->output, "MESH.{ply,obj,off,stl,glb}",
+  add_output(command, arguments->output,
+             fmt::format("MESH.{{{}}}", fmt::join(written_endings(FormatUse::WriteMesh), ",")),
              "The input points as vertices, with triangles; PLY also has u, v and boundary, and goes to "
              "standard output for -",
              true);

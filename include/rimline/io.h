@@ -12,11 +12,10 @@
 
 namespace rimline {
 
-// Reads the points of a PLY (ascii, both binary orders), XYZ/TXT/CSV, OBJ, OFF, PCD (ascii, binary,
-// compressed) or STL file (corners that coincide are merged). The format is told by the content, then by
-// the ending. Faces and lists are skipped; every other vertex property is kept in Cloud::columns.
-// Rows with NaN or infinite coordinates are kept: the stages leave them out and count them.
-// Throws CannotRead, naming the file, the line or byte, and what to do.
+// Reads the points of a file in any format of the table in rimline/formats.h that is read. The format is
+// told by the content, then by the ending. Faces and lists are skipped; every other vertex property is kept
+// in Cloud::columns. Rows with NaN or infinite coordinates are kept: the stages leave them out and count
+// them. Throws CannotRead, naming the file, the line or byte, and what to do.
 Cloud read_cloud(const std::string& path, const Run& run);
 
 // Points with triangles over them.
@@ -25,7 +24,7 @@ struct MeshFile {
   std::vector<Triangle> triangles;
 };
 
-// Reads the points as read_cloud does, and the faces of a PLY, OBJ, OFF or STL file; polygons become fans,
+// Reads the points as read_cloud does, and the faces of the formats that have them; polygons become fans,
 // faces that name a vertex twice are left out. Throws CannotRead, also where there are no faces.
 MeshFile read_mesh(const std::string& path, const Run& run);
 
@@ -34,11 +33,9 @@ MeshFile read_mesh(const std::string& path, const Run& run);
 // Throws CannotWrite.
 void write_cloud(const std::string& path, const Cloud& cloud, const Run& run);
 
-// Writes points and triangles (ids within the cloud), by the ending: ply (columns kept; `list uchar int
-// vertex_indices`), obj (with `vt` where there are columns u and v, and `vn`), off, stl (binary) or glb
-// (glTF);
-// "-" is PLY. The ending is checked by check_mesh_path before any work. Throws CannotWrite.
-// `face_columns`, one value per triangle, are kept in PLY alone.
+// Writes points and triangles (ids within the cloud) in the format of the ending, one of
+// written_endings(FormatUse::WriteMesh); "-" is PLY. The ending is checked by check_mesh_path before any
+// work. Throws CannotWrite. `face_columns`, one value per triangle, are kept in PLY alone.
 void write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
                 const Run& run, const std::vector<Column>& face_columns = {});
 
@@ -59,7 +56,7 @@ void remove_unfinished_files() noexcept;
 // LOOPS.json, schema 1, for a cloud of that many points. docs/formats.md
 std::string loops_to_json(const std::vector<Loop>& loops, std::size_t point_count);
 
-// Writes loops by the ending: json, geojson, wkt, csv, ply (edges), obj (lines) or dxf; "-" is JSON. The
+// Writes loops in the format of the ending, one of written_endings(FormatUse::WriteLoops); "-" is JSON. The
 // ending is checked by check_loops_path. Throws CannotWrite.
 void write_loops(const std::string& path, const std::vector<Loop>& loops, Points points, const Run& run);
 

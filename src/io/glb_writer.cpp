@@ -169,7 +169,8 @@ void write_buffer(SafeFile& file, const Attributes& a, const Triangles& triangle
 
 }  // namespace
 
-void write_glb(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run) {
+void write_glb(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
+  const auto& [cloud, triangles, ignored] = mesh;
   const Box box = bounds(cloud.points);
   const Attributes attributes = attributes_of(cloud, triangles, box);
   Document document;

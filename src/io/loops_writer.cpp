@@ -2,7 +2,7 @@
 // Loops as lines for other programs: GeoJSON, WKT, CSV, PLY edges, OBJ lines, DXF.
 #include <cmath>
 
-#include "io/writers.h"
+#include "io/formats.h"
 #include "rimline/io.h"
 
 namespace rimline {
@@ -27,8 +27,16 @@ void write_finite(SafeFile& file, double value) {
   std::isfinite(value) ? file.number(value) : file.write("null");
 }
 
+}  // namespace
+
+void write_loops_json(SafeFile& file, const LoopsToWrite& what) {
+  file.write(loops_to_json(what.loops, what.points.size()));
+}
+
 // Closed LineStrings of three coordinates, RFC 7946; the units are those of the input.
-void write_geojson(LoopsFile out, const std::vector<Loop>& loops) {
+void write_loops_geojson(SafeFile& file, const LoopsToWrite& what) {
+  LoopsFile out{file, what.points};
+  const std::vector<Loop>& loops = what.loops;
   out.file.write("{\"type\": \"FeatureCollection\", \"features\": [");
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const Loop& loop = loops[i];
@@ -50,7 +58,9 @@ void write_geojson(LoopsFile out, const std::vector<Loop>& loops) {
 }
 
 // One closed line string on each line of the file.
-void write_wkt(LoopsFile out, const std::vector<Loop>& loops) {
+void write_loops_wkt(SafeFile& file, const LoopsToWrite& what) {
+  LoopsFile out{file, what.points};
+  const std::vector<Loop>& loops = what.loops;
   for (const Loop& loop : loops) {
     out.file.write("LINESTRING Z (");
     for (std::size_t j = 0; j <= loop.points.size(); ++j) {
@@ -61,7 +71,9 @@ void write_wkt(LoopsFile out, const std::vector<Loop>& loops) {
   }
 }
 
-void write_csv(LoopsFile out, const std::vector<Loop>& loops) {
+void write_loops_csv(SafeFile& file, const LoopsToWrite& what) {
+  LoopsFile out{file, what.points};
+  const std::vector<Loop>& loops = what.loops;
   out.file.write("loop,kind,order,point,x,y,z\n");
   for (std::size_t i = 0; i < loops.size(); ++i) {
     for (std::size_t j = 0; j < loops[i].points.size(); ++j) {
@@ -80,7 +92,9 @@ void write_csv(LoopsFile out, const std::vector<Loop>& loops) {
 }
 
 // Text PLY: the points of the loops with their ids, and the element `edge`.
-void write_edges(LoopsFile out, const std::vector<Loop>& loops) {
+void write_loops_edges(SafeFile& file, const LoopsToWrite& what) {
+  LoopsFile out{file, what.points};
+  const std::vector<Loop>& loops = what.loops;
   const std::string count = std::to_string(total_points(loops));
   out.file.write(
       "ply\nformat ascii 1.0\nelement vertex " + count +
@@ -108,7 +122,9 @@ void write_edges(LoopsFile out, const std::vector<Loop>& loops) {
   }
 }
 
-void write_obj_lines(LoopsFile out, const std::vector<Loop>& loops) {
+void write_loops_obj(SafeFile& file, const LoopsToWrite& what) {
+  LoopsFile out{file, what.points};
+  const std::vector<Loop>& loops = what.loops;
   std::size_t first = 1;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     out.file.write("o " + std::string(name(loops[i].kind)) + "_" + std::to_string(i) + "\n");
@@ -127,6 +143,8 @@ void write_obj_lines(LoopsFile out, const std::vector<Loop>& loops) {
   }
 }
 
+namespace {
+
 void write_dxf_place(LoopsFile& out, Point p) {
   out.file.write("10\n");
   out.file.number(p.x);
@@ -137,9 +155,13 @@ void write_dxf_place(LoopsFile& out, Point p) {
   out.file.write('\n');
 }
 
+}  // namespace
+
 // DXF R12, which every program reads: closed 3D polylines (70: 1 closed + 8 in space; vertices 32) on the
 // layers OUTER and HOLE.
-void write_dxf(LoopsFile out, const std::vector<Loop>& loops) {
+void write_loops_dxf(SafeFile& file, const LoopsToWrite& what) {
+  LoopsFile out{file, what.points};
+  const std::vector<Loop>& loops = what.loops;
   out.file.write("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n");
   for (const Loop& loop : loops) {
     const std::string layer = loop.kind == LoopKind::Outer ? "8\nOUTER\n" : "8\nHOLE\n";
@@ -155,13 +177,7 @@ void write_dxf(LoopsFile out, const std::vector<Loop>& loops) {
   out.file.write("0\nENDSEC\n0\nEOF\n");
 }
 
-struct LoopsFormat {
-  std::string_view ending;
-  void (*write)(LoopsFile, const std::vector<Loop>&);
-};
-
-constexpr LoopsFormat formats[] = {{"geojson", write_geojson}, {"wkt", write_wkt},       {"csv", write_csv},
-                                   {"ply", write_edges},       {"obj", write_obj_lines}, {"dxf", write_dxf}};
+namespace {
 
 std::string loops_ending(const std::string& path) {
   const bool no_ending = path.find('.', path.rfind('/') + 1) == std::string::npos;
@@ -172,24 +188,16 @@ std::string loops_ending(const std::string& path) {
 }  // namespace io
 
 void check_loops_path(const std::string& path) {
-  const std::string ending = io::loops_ending(path);
-  if (ending == "json") return;
-  for (const auto& format : io::formats) {
-    if (ending == format.ending) return;
-  }
+  if (io::loops_format(io::loops_ending(path)) != nullptr) return;
   throw Error(ErrorCode::BadOption,
-              path + ": the ending must be .json, .geojson, .wkt, .csv, .ply, .obj or .dxf for loops");
+              path + ": the ending must be " + text_of_endings(FormatUse::WriteLoops) + " for loops");
 }
 
 void write_loops(const std::string& path, const std::vector<Loop>& loops, Points points, const Run& run) {
   check_loops_path(path);
   io::SafeFile file(path);
-  const std::string ending = io::loops_ending(path);
   run.progress(Stage::Write, 0, 1);
-  if (ending == "json") file.write(loops_to_json(loops, points.size()));
-  for (const auto& format : io::formats) {
-    if (ending == format.ending) format.write({file, points}, loops);
-  }
+  io::loops_format(io::loops_ending(path))->write_loops(file, {loops, points});
   run.progress(Stage::Write, 1, 1);
   file.commit();
 }

@@ -2,23 +2,20 @@
 // OBJ, OFF, STL, and the choice among the formats of a mesh.
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 
-#include "io/writers.h"
+#include "io/formats.h"
+#include "io/telling.h"
 #include "rimline/io.h"
 
 namespace rimline {
 namespace io {
 
 std::string ending_of(const std::string& path) {
-  const std::size_t dot = path.find_last_of("./");
-  if (dot == std::string::npos || path[dot] == '/') return is_stream(path) ? "ply" : "";
-  std::string ending = path.substr(dot + 1);
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return ending;
+  const std::string ending = lower_ending(path);
+  const bool none_given = path.find('.', path.rfind('/') + 1) == std::string::npos;
+  return none_given && is_stream(path) ? "ply" : ending;
 }
 
 std::vector<Point> normals_of_mesh(Points points, const Triangles& triangles) {
@@ -93,7 +90,8 @@ void write_obj_corner(SafeFile& file, Index id, bool uv) {
 
 }  // namespace
 
-void write_obj(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run) {
+void write_obj(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
+  const auto& [cloud, triangles, ignored] = mesh;
   const Column* u = cloud.find("u");
   const Column* v = cloud.find("v");
   const bool uv = u != nullptr && v != nullptr;
@@ -107,7 +105,8 @@ void write_obj(SafeFile& file, const Cloud& cloud, const Triangles& triangles, c
   });
 }
 
-void write_off(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run) {
+void write_off(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
+  const auto& [cloud, triangles, ignored] = mesh;
   file.write("OFF\n" + std::to_string(cloud.points.size()) + " " + std::to_string(triangles.size()) + " 0\n");
   write_places(file, cloud, "", run);
   for_each_written(triangles.size(), run, [&](std::size_t t) {
@@ -120,7 +119,8 @@ void write_off(SafeFile& file, const Cloud& cloud, const Triangles& triangles, c
   });
 }
 
-void write_stl(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run) {
+void write_stl(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
+  const auto& [cloud, triangles, ignored] = mesh;
   std::string header = "binary STL";  // must not start with "solid"
   header.resize(80, ' ');
   file.write(header);
@@ -141,11 +141,9 @@ void write_stl(SafeFile& file, const Cloud& cloud, const Triangles& triangles, c
 }  // namespace io
 
 void check_mesh_path(const std::string& path) {
-  const std::string ending = io::ending_of(path);
-  for (const char* known : {"ply", "obj", "off", "stl", "glb"}) {
-    if (ending == known) return;
-  }
-  throw Error(ErrorCode::BadOption, path + ": the ending must be .ply, .obj, .off, .stl or .glb for a mesh");
+  if (io::mesh_format(io::ending_of(path)) != nullptr) return;
+  throw Error(ErrorCode::BadOption,
+              path + ": the ending must be " + text_of_endings(FormatUse::WriteMesh) + " for a mesh");
 }
 
 void write_cloud(const std::string& path, const Cloud& cloud, const Run& run) {
@@ -158,13 +156,8 @@ void write_cloud(const std::string& path, const Cloud& cloud, const Run& run) {
 void write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
                 const Run& run, const std::vector<Column>& face_columns) {
   check_mesh_path(path);
-  const std::string ending = io::ending_of(path);
   io::SafeFile file(path);
-  if (ending == "ply") io::write_ply(file, cloud, &triangles, run, face_columns);
-  if (ending == "obj") io::write_obj(file, cloud, triangles, run);
-  if (ending == "off") io::write_off(file, cloud, triangles, run);
-  if (ending == "stl") io::write_stl(file, cloud, triangles, run);
-  if (ending == "glb") io::write_glb(file, cloud, triangles, run);
+  io::mesh_format(io::ending_of(path))->write_mesh(file, {cloud, triangles, face_columns}, run);
   run.progress(Stage::Write, 1, 1);
   file.commit();
 }

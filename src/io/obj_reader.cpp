@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wavefront OBJ: the lines `v`, and `vn` where there is one for each vertex.
+#include <algorithm>
 #include <string>
 
 #include "io/fields.h"
@@ -47,7 +48,9 @@ class ObjReader {
     std::size_t count = 0;
     for (; !row.done() && *row.at() != '#'; ++count) {
       double value = 0;
-      if (!row.read(value)) source_.fail_at_line(row.at(), quoted(Row(row).word()) + " is not a number");
+      if (!row.read(value))
+        source_.fail_at_line(row.at(), quoted(Row(row).word()) +
+                                           " is not a number; correct the line, or export the file again");
       to.push_back(value);
     }
     return count;
@@ -108,5 +111,28 @@ class ObjReader {
 }  // namespace
 
 Cloud read_obj(const Source& source, const Run& run) { return ObjReader(source, run).read(); }
+
+// Lines `f v`, `f v/vt/vn`; ids count from 1, or back from the last vertex read.
+void read_obj_faces(const Source& source, const Cloud&, Faces& faces) {
+  Lines lines(source.bytes());
+  std::string_view line;
+  long long vertices = 0;
+  while (lines.next_filled(line, '#')) {
+    Row row(line);
+    const std::string_view keyword = row.word();
+    vertices += keyword == "v";
+    if (keyword != "f") continue;
+    while (!row.done()) {
+      const std::string_view corner = row.word();
+      if (corner.front() == '#') break;
+      long long id = 0;
+      const std::size_t slash = std::min(corner.find('/'), corner.size());
+      if (read_number(corner.data(), corner.data() + slash, id) != corner.data() + slash)
+        source.fail_at_line(corner.data(), quoted(corner) + " is no corner of a face");
+      faces.corner(id < 0 ? vertices + id : id - 1, corner.data(), Faces::Place::Line, 1);
+    }
+    faces.close();
+  }
+}
 
 }  // namespace rimline::io

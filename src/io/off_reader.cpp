@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Geomview OFF in text: OFF, COFF, NOFF, STOFF, 4OFF and their mixtures. Faces are not read.
+// Geomview OFF in text: OFF, COFF, NOFF, STOFF, 4OFF and their mixtures.
 #include <fmt/format.h>
 
 #include <string>
@@ -84,12 +84,15 @@ class OffReader {
     std::size_t width = 0;
     for (Row row(line); !row.done() && *row.at() != '#'; ++width) {
       double value = 0;
-      if (!row.read(value)) source_.fail_at_line(row.at(), quoted(Row(row).word()) + " is not a number");
+      if (!row.read(value))
+        source_.fail_at_line(row.at(), quoted(Row(row).word()) +
+                                           " is not a number; correct the line, or export the file again");
       table_.values.push_back(value);
     }
     if (table_.names.empty()) {
       table_.names = names(width, line);
-      table_.values.reserve(count * width);
+      // A number takes two bytes or more, so that no line of many and no count of many makes this large.
+      table_.values.reserve(std::min<std::size_t>(count * width, source_.bytes().size() / 2 + 1));
     }
     if (width != table_.width()) {
       source_.fail_at_line(line.data(), "this vertex has " + std::to_string(width) +
@@ -130,5 +133,37 @@ class OffReader {
 }  // namespace
 
 Cloud read_off(const Source& source, const Run& run) { return OffReader(source, run).read(); }
+
+// After the counts and the vertices, a line for each face.
+void read_off_faces(const Source& source, const Cloud& cloud, Faces& faces) {
+  Lines lines(source.bytes());
+  std::string_view line;
+  long long vertices = -1, count = 0;
+  std::size_t passed = 0;
+  while (lines.next_filled(line, '#')) {
+    Row row(line);
+    if (vertices < 0) {
+      if (!row.read(vertices)) {
+        row.word();  // the keyword, whose line may hold the counts
+        if (row.done() || !row.read(vertices)) {
+          vertices = -1;
+          continue;
+        }
+      }
+      row.read(count);
+      continue;
+    }
+    if (passed++ < cloud.points.size()) continue;
+    if (count-- <= 0) return;
+    long long corners = 0, id = 0;
+    if (!row.read(corners)) source.fail_at_line(row.at(), "a face starts with its number of corners");
+    for (; corners > 0; --corners) {
+      const char* at = row.at();
+      if (!row.read(id)) source.fail_at_line(row.at(), "a face with fewer corners than it says");
+      faces.corner(id, at, Faces::Place::Line);
+    }
+    faces.close();
+  }
+}
 
 }  // namespace rimline::io

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One reader per format. All throw CannotRead; none is called with an empty source. A cloud without points
-// is refused by the caller.
+// is refused by the caller. The readers of faces get the points that the reader of points found.
 #pragma once
 
+#include "io/faces.h"
 #include "io/source.h"
 #include "rimline/cloud.h"
 
@@ -13,8 +14,12 @@ Cloud read_text(const Source& source, const Run& run);
 Cloud read_obj(const Source& source, const Run& run);
 Cloud read_off(const Source& source, const Run& run);
 Cloud read_pcd(const Source& source, const Run& run);
-Cloud read_stl_ascii(const Source& source, const Run& run);
-Cloud read_stl_binary(const Source& source, const Run& run);
+Cloud read_stl(const Source& source, const Run& run);
+
+void read_ply_faces(const Source& source, const Cloud& cloud, Faces& faces);
+void read_obj_faces(const Source& source, const Cloud& cloud, Faces& faces);
+void read_off_faces(const Source& source, const Cloud& cloud, Faces& faces);
+void read_stl_faces(const Source& source, const Cloud& cloud, Faces& faces);
 
 // True where the size is the one that the number of triangles in the header asks for.
 bool is_stl_binary(std::string_view bytes);

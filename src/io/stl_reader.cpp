@@ -7,6 +7,7 @@
 #include "io/fields.h"
 #include "io/lines.h"
 #include "io/readers.h"
+#include "io/telling.h"
 
 namespace rimline::io {
 namespace {
@@ -16,15 +17,17 @@ constexpr std::size_t header_size = 84, record_size = 50;
 // The set of points seen so far: open addressing with linear steps, at most half full.
 class Corners {
  public:
-  void add(Point p) {
+  // Returns the id of the point at that place.
+  Index add(Point p) {
     if (2 * (points_.size() + 1) > slots_.size()) grow();
     std::size_t slot = hash(p) & (slots_.size() - 1);
     while (slots_[slot] != none) {
-      if (same(points_[static_cast<std::size_t>(slots_[slot])], p)) return;
+      if (same(points_[static_cast<std::size_t>(slots_[slot])], p)) return slots_[slot];
       slot = (slot + 1) & (slots_.size() - 1);
     }
     slots_[slot] = static_cast<Index>(points_.size());
     points_.push_back(p);
+    return slots_[slot];
   }
 
   std::vector<Point>& points() { return points_; }
@@ -64,14 +67,11 @@ std::uint32_t little_endian_32(const char* at) {
 
 double float_at(const char* at) { return std::bit_cast<float>(little_endian_32(at)); }
 
-}  // namespace
+bool is_binary(const Source& source) { return is_stl_binary(source.bytes()) || !is_text(source.bytes()); }
 
-bool is_stl_binary(std::string_view bytes) {
-  if (bytes.size() < header_size) return false;
-  return bytes.size() == header_size + record_size * std::uint64_t{little_endian_32(bytes.data() + 80)};
-}
-
-Cloud read_stl_binary(const Source& source, const Run& run) {
+// Calls corner(place, at) for each corner of each triangle, in the order of the file.
+template <class Corner>
+void visit_binary(const Source& source, const Run& run, const Corner& corner) {
   if (source.bytes().size() < header_size)
     source.fail("is shorter than the 84 bytes of an STL header; truncated?");
   const std::uint64_t count = little_endian_32(source.begin() + 80);
@@ -80,20 +80,15 @@ Cloud read_stl_binary(const Source& source, const Run& run) {
                 std::to_string(count) +
                 " triangles that the STL header announces; the file is truncated, or not an STL");
   }
-  Corners corners;
   for (std::uint64_t i = 0; i < count; ++i) {
     if (i % items_per_look == 0) source.progress(run, i, count);
-    const char* corner = source.begin() + header_size + i * record_size + 12;  // after the normal
-    for (int c = 0; c < 3; ++c, corner += 12) {
-      corners.add({float_at(corner), float_at(corner + 4), float_at(corner + 8)});
-    }
-    check_point_count(source, corners.points().size() + 3);
+    const char* at = source.begin() + header_size + i * record_size + 12;  // after the normal
+    for (int c = 0; c < 3; ++c, at += 12) corner(Point{float_at(at), float_at(at + 4), float_at(at + 8)}, at);
   }
-  return {std::move(corners.points()), Scalar::Float32, {}};
 }
 
-Cloud read_stl_ascii(const Source& source, const Run& run) {
-  Corners corners;
+template <class Corner>
+void visit_text(const Source& source, const Run& run, const Corner& corner) {
   Lines lines(source.bytes());
   std::string_view line;
   bool ended = false;
@@ -107,13 +102,45 @@ Cloud read_stl_ascii(const Source& source, const Run& run) {
     if (!row.read(p.x) || !row.read(p.y) || !row.read(p.z) || !row.done()) {
       source.fail_at_line(line.data(), "a vertex needs three numbers: " + quoted(line));
     }
-    corners.add(p);
-    check_point_count(source, corners.points().size() + 1);
+    corner(p, line.data());
   }
   if (!ended)
     source.fail("the STL has no 'endsolid' at its end; the file is truncated: copy or export it again");
+}
+
+template <class Corner>
+void visit(const Source& source, const Run& run, const Corner& corner) {
+  is_binary(source) ? visit_binary(source, run, corner) : visit_text(source, run, corner);
+}
+
+}  // namespace
+
+bool is_stl_binary(std::string_view bytes) {
+  if (bytes.size() < header_size) return false;
+  return bytes.size() == header_size + record_size * std::uint64_t{little_endian_32(bytes.data() + 80)};
+}
+
+Cloud read_stl(const Source& source, const Run& run) {
+  Corners corners;
+  visit(source, run, [&](Point p, const char*) {
+    check_point_count(source, corners.points().size() + 1);
+    corners.add(p);
+  });
   // Text may hold more digits than a float; they are kept.
-  return {std::move(corners.points()), Scalar::Float64, {}};
+  const bool binary = is_binary(source);
+  return {std::move(corners.points()),
+          binary ? Scalar::Float32 : Scalar::Float64,
+          {},
+          binary ? "STL, binary" : "STL, ascii"};
+}
+
+void read_stl_faces(const Source& source, const Cloud&, Faces& faces) {
+  Corners corners;
+  int count = 0;
+  visit(source, Run{}, [&](Point p, const char* at) {
+    faces.corner(corners.add(p), at, Faces::Place::Byte);
+    if (++count % 3 == 0) faces.close();
+  });
 }
 
 }  // namespace rimline::io

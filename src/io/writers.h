@@ -15,13 +15,34 @@ namespace rimline::io {
 
 using Triangles = std::vector<Triangle>;
 
+struct MeshToWrite {
+  const Cloud& cloud;
+  const Triangles& triangles;
+  const std::vector<Column>& face_columns;
+};
+
+struct LoopsToWrite {
+  const std::vector<Loop>& loops;
+  Points points;
+};
+
 // Without triangles the PLY has no element `face`.
 void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, const Run& run,
                const std::vector<Column>& face_columns = {});
-void write_obj(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run);
-void write_off(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run);
-void write_stl(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run);
-void write_glb(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run);
+
+void write_ply_mesh(SafeFile& file, const MeshToWrite& mesh, const Run& run);
+void write_obj(SafeFile& file, const MeshToWrite& mesh, const Run& run);
+void write_off(SafeFile& file, const MeshToWrite& mesh, const Run& run);
+void write_stl(SafeFile& file, const MeshToWrite& mesh, const Run& run);
+void write_glb(SafeFile& file, const MeshToWrite& mesh, const Run& run);
+
+void write_loops_json(SafeFile& file, const LoopsToWrite& loops);
+void write_loops_geojson(SafeFile& file, const LoopsToWrite& loops);
+void write_loops_wkt(SafeFile& file, const LoopsToWrite& loops);
+void write_loops_csv(SafeFile& file, const LoopsToWrite& loops);
+void write_loops_edges(SafeFile& file, const LoopsToWrite& loops);
+void write_loops_obj(SafeFile& file, const LoopsToWrite& loops);
+void write_loops_dxf(SafeFile& file, const LoopsToWrite& loops);
 
 // The part of a path after its last dot, in lower case; "ply" for "-".
 std::string ending_of(const std::string& path);
