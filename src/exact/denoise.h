@@ -13,7 +13,9 @@ namespace rimline::exact {
 // The standard deviation of the points across the surface, over the spacing; above 0 even for exact points of
 // a curved surface. From the residuals of quadrics through the 12 nearest neighbours of up to about 4,096
 // points. Their lower quartile is asked: noise is everywhere, while creases and relief that the quadrics can
-// not follow are at some places only.
+// not follow are at some places only. On coarse points of a strongly curved surface these are most places, so
+// the lower twentieth must tell nearly the same noise as the quartile; less of it is relief, and the level
+// falls to 0, unless points lie as close together as noise, misregistered scans and chance have them.
 double noise_level(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                    const Run& run);
 
