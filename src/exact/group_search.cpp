@@ -335,11 +335,22 @@ GroupSearch::Void GroupSearch::void_at(std::uint32_t start, std::vector<std::uin
 }
 
 // What a hole must bring. Where sizes spread, chance tears holes, and more is asked; but not of one whose
-// empty disc chance does not bring about.
+// empty disc chance does not bring about, and hardly anything of one that is out of all proportion there.
 double GroupSearch::least_gain(const Void& hole) const {
   const RimWeights& w = options_.weights;
+  if (is_far_beyond_spread(hole)) return w.birth_beyond_spread;
   const double by_spread = is_chance(hole.largest) ? w.birth_spread * hole.spread : 0;
   return w.birth + by_spread + w.birth_points * log_points_;
+}
+
+// Whether sizes that spread as around the hole have none so large among 2 n: their logarithms are taken for
+// normal numbers, whose tail falls as exp(-z^2 / 2).
+bool GroupSearch::is_far_beyond_spread(const Void& hole) const {
+  constexpr double to_deviation = 0.75;  // from the range between quartiles over the typical size
+  constexpr double usual = 0.1;          // log_ratio: typical is above the median
+  constexpr double margin = 4;           // e^-4 of them are expected
+  const double z = (hole.largest - usual) / (to_deviation * hole.spread);
+  return z * z / 2 - std::log(2000.0) - log_points_ >= margin;
 }
 
 // Whether a triangle so large may be found among the 2 n of n random points. Of random points the area of

@@ -138,6 +138,7 @@ class GroupSearch {
   Void void_at(std::uint32_t start, std::vector<std::uint8_t>& seen) const;
   double least_gain(const Void& hole) const;
   bool is_chance(double log_ratio) const;
+  bool is_far_beyond_spread(const Void& hole) const;
 
   const Doubt& doubt_;
   const Groups& groups_;

@@ -29,6 +29,7 @@ struct RimWeights {
   double birth = 3;             // of a hole apart from all other rims ...
   double birth_spread = 15;     // ... and per unit of the spread of sizes around it
   double birth_points = 1;      // ... and per e-fold of the points beyond 1,000: chance has more places
+  double birth_beyond_spread = 1;  // in place of all three where the spread does not bring about such a hole
   double orphan = 12;           // a point that loses all its triangles
 };
 
