@@ -178,7 +178,7 @@ class Survey {
     std::vector<std::uint8_t> barred(points_.size(), 0);
     for (const auto& loop : walk_rims(complex_, all, run_)) {
       if (loop.size() < least_gap || rim_probability(loop, all) >= 0.5) continue;
-      for (const Index v : loop) barred[v] = frames_[v].thickness > folded ? at_fold : at_gap;
+      for (const Index v : loop) barred[v] = 1;
     }
     return barred;
   }

@@ -50,7 +50,7 @@ double jagged_log_odds(const Complex& complex, LocalSizes& sizes, const UsualCor
 
 double loop_probability(std::size_t points, double emptiness, double thickness) {
   const double size = std::log(std::min(24.0, static_cast<double>(points)) / 12);
-  return logistic(-2.4 + 0.8 * size - 7 * thickness + 2.4 * std::min(emptiness, 3.0));
+  return logistic(-2.4 + 0.76 * size - 4.3 * thickness + 3.1 * std::min(emptiness, 3.0));
 }
 
 double thickness_of_opening(std::size_t points) { return 4 / std::pow(static_cast<double>(points), 1.5); }

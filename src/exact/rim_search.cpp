@@ -27,7 +27,6 @@ class Spared {
 
   bool may_be(const Triangle& x) const { return barred_[x[0]] || barred_[x[1]] || barred_[x[2]]; }
   bool operator()(const Triangle& x) const {
-    if (std::any_of(x.begin(), x.end(), [&](Index v) { return barred_[v] == at_fold; })) return true;
     return may_be(x) && sizes_.log_ratio(x) <= plainly_too_large + sizes_.spread(x);
   }
 

@@ -29,8 +29,6 @@ struct RimSearchResult {
   std::vector<double> history_best, history_mean;  // per generation, summed over the groups
 };
 
-constexpr std::uint8_t at_gap = 1, at_fold = 2;  // marks in `barred`
-
 // A chromosome says of each doubtful triangle whether it is kept. The rim of any set of triangles is a set of
 // closed loops, so any chromosome is a closed boundary, and so is what crossover and mutation make of it:
 // exchanging triangles adds (modulo 2) the boundary of what was exchanged.
@@ -39,7 +37,7 @@ constexpr std::uint8_t at_gap = 1, at_fold = 2;  // marks in `barred`
 // group has a population of its own.
 //
 // Triangles at a vertex marked in `barred` are not doubted: those around gaps that are no boundary. But what
-// is plainly too large is doubted at a gap, though not at one where the surface folds.
+// is plainly too large is doubted there, too.
 //
 // The complex, which must stay as it is, and the run must outlive it.
 class RimSearch {

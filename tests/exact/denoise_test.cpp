@@ -53,6 +53,19 @@ TEST_CASE("points without noise are not touched, whatever the shape and the samp
   }
 }
 
+TEST_CASE("relief of coarse points is no noise, and noise on it is told") {
+  // Waves of eight spacings that grow with the square of x: no quadric follows them where they are high.
+  const Sample disc = make(Shape::FlatDisc, Sampling::BlueNoise, 0);
+  const double length = 8 * distance_to(disc.points, find_neighbours(disc.points, 1, {}), 0, 0);
+  const auto waves = [&](Points points) {
+    std::vector<Point> result(points.begin(), points.end());
+    for (Point& p : result) p.z += length / 4 * p.x * p.x * std::sin(6.28 * p.y / length);
+    return result;
+  };
+  CHECK(noise_weight(level_of(waves(disc.points))) == 0);
+  CHECK(noise_weight(level_of(waves(make(Shape::FlatDisc, Sampling::BlueNoise, 0.5).points))) == 1);
+}
+
 TEST_CASE("noise of a fifth of the spacing is heeded in full") {
   CHECK(noise_weight(level_of(make(Shape::HemisphereCap, Sampling::BlueNoise, 0.2).points)) == 1);
 }

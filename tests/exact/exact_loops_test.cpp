@@ -325,6 +325,28 @@ TEST_CASE("a small opening is found where chords cross it, and a hole where the 
   }
 }
 
+TEST_CASE("a hole of ten points is found among even points, and none where the step varies by a third") {
+  // Rows of triangles of unit step, each point moved by up to some of it; four of two triangles are left out.
+  const auto rows = [](double moved, bool is_holed, std::uint64_t seed) {
+    Random random(seed, 0);
+    const auto move = [&] { return moved * (2 * random.uniform() - 1); };
+    std::vector<Point> points;
+    for (int y = 0; y < 24; ++y) {
+      for (int x = 0; x < 24; ++x) {
+        const bool is_left_out = y == 12 ? x == 12 || x == 13 : y == 11 && (x == 12 || x == 11);
+        const Point p{x + 0.5 * (y % 2) + move(), 0.866 * y + move(), 0};
+        if (!is_holed || !is_left_out) points.push_back(p);
+      }
+    }
+    return points;
+  };
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    CHECK(find_loops(rows(0.05, true, seed)).loops.size() == 2);
+    CHECK(find_loops(rows(0.05, false, seed)).loops.size() == 1);
+    CHECK(find_loops(rows(0.33, false, seed)).loops.size() == 1);
+  }
+}
+
 TEST_CASE("noise of a fifth of the spacing tears no holes into random samples") {
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     CHECK(find_loops(make(Shape::WavySaddle, Sampling::Random, 4000, 0.2, seed).points).loops.size() == 1);
