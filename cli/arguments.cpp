@@ -147,6 +147,19 @@ CLI::Option* add_parsed(CLI::App& command, const std::string& flags, const std::
       ->group(group);
 }
 
+CLI::Option* add_path(CLI::App& command, const std::string& flags, std::string& path,
+                      const std::string& value, const std::string& description) {
+  const auto take = [&path, flags, value](const std::string& text) {
+    const std::string flag = flags.substr(flags.find("--") == std::string::npos ? 0 : flags.find("--"));
+    if (text.empty()) {
+      throw Error(ErrorCode::BadOption, fmt::format("{} wants the name of a file, not ''",
+                                                    flag.starts_with("-") ? flag : value));
+    }
+    path = text;
+  };
+  return add_parsed(command, flags, value, description, "Files", take);
+}
+
 void add_common(CLI::App& command, Common& common) {
   const std::string group = "Run";
   add_parsed(command, "--preset", "NAME",
@@ -172,43 +185,27 @@ void add_common(CLI::App& command, Common& common) {
 }
 
 void add_input(CLI::App& command, std::string& input) {
-  command
-      .add_option("input", input,
-                  fmt::format("Points: {}; - reads standard input", names_of_formats(FormatUse::ReadPoints)))
-      ->type_name("IN")
-      ->required()
-      ->group("Files");
+  add_path(command, "input", input, "IN",
+           fmt::format("Points: {}; - reads standard input", names_of_formats(FormatUse::ReadPoints)))
+      ->required();
 }
 
 void add_output(CLI::App& command, std::string& output, const std::string& value,
                 const std::string& description, bool required) {
-  CLI::Option* option =
-      command.add_option("-o,--output", output, description)->type_name(value)->group("Files");
+  CLI::Option* option = add_path(command, "-o,--output", output, value, description);
   if (required) option->required();
 }
 
 void add_method(CLI::App& command, MethodArguments& arguments) {
   const std::string files = "Files";
-  command
-      .add_option("--loops", arguments.loops,
-                  fmt::format("Write the loops, by the ending: {}; - is JSON on standard output",
-                              text_of_endings(FormatUse::WriteLoops)))
-      ->type_name("LOOPS.json")
-      ->group(files);
-  command
-      .add_option(
-          "--use-loops", arguments.use_loops,
-          "Take the boundary from this file instead of finding one; only `points` of each loop is read")
-      ->type_name("IN.json")
-      ->group(files);
-  command
-      .add_option("--report", arguments.report,
-                  "Write options, counts, measures, seconds and memory (JSON); - for standard output")
-      ->type_name("REPORT.json")
-      ->group(files);
-  command.add_option("--picture", arguments.picture, "Draw what was found, stage by stage")
-      ->type_name("OUT.png|svg")
-      ->group(files);
+  add_path(command, "--loops", arguments.loops, "LOOPS.json",
+           fmt::format("Write the loops, by the ending: {}; - is JSON on standard output",
+                       text_of_endings(FormatUse::WriteLoops)));
+  add_path(command, "--use-loops", arguments.use_loops, "IN.json",
+           "Take the boundary from this file instead of finding one; only `points` of each loop is needed");
+  add_path(command, "--report", arguments.report, "REPORT.json",
+           "Write options, counts, measures, seconds and memory (JSON); - for standard output");
+  add_path(command, "--picture", arguments.picture, "OUT.png|svg", "Draw what was found, stage by stage");
   add_parsed(command, "--picture-size", "N",
              fmt::format("Width and height of each of its panels in pixels. From {} to {}. Default {}.",
                          least_panel, most_panel, arguments.picture_size),
@@ -242,19 +239,12 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
 }
 
 void add_mesh_method(CLI::App& command, MethodArguments& arguments) {
-  command
-      .add_option(
-          "--reference", arguments.reference,
-          fmt::format("Measure the mesh against this one ({}): Hausdorff and mean distances both ways, and "
-                      "agreement of edges where the vertices are the same; in the report and the summary",
-                      names_of_formats(FormatUse::ReadFaces)))
-      ->type_name("MESH")
-      ->group("Files");
-  command
-      .add_option("--uv-picture", arguments.uv_picture,
-                  "Draw the map: its layout in the plane, and a checkerboard that it puts on the surface")
-      ->type_name("OUT.png|svg")
-      ->group("Files");
+  add_path(command, "--reference", arguments.reference, "MESH",
+           fmt::format("Measure the mesh against this one ({}): Hausdorff and mean distances both ways, and "
+                       "agreement of edges where the vertices are the same; in the report and the summary",
+                       names_of_formats(FormatUse::ReadFaces)));
+  add_path(command, "--uv-picture", arguments.uv_picture, "OUT.png|svg",
+           "Draw the map: its layout in the plane, and a checkerboard that it puts on the surface");
   command
       .add_flag(
           "--distortion", arguments.distortion,

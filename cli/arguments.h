@@ -47,6 +47,11 @@ struct MethodArguments {
 CLI::App& add_subcommand(CLI::App& tool, const std::string& name, const std::string& description,
                          const std::string& example);
 
+// An option that takes the path of a file, or "-". An empty one, which a script's unset variable leaves, is
+// bad usage.
+CLI::Option* add_path(CLI::App& command, const std::string& flags, std::string& path,
+                      const std::string& value, const std::string& description);
+
 void add_common(CLI::App& command, Common& common);
 void add_input(CLI::App& command, std::string& input);
 void add_output(CLI::App& command, std::string& output, const std::string& value,

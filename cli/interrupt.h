@@ -6,10 +6,10 @@
 
 namespace rimline::cli {
 
-// True once SIGINT or SIGTERM has come: what Run::stop points to.
+// True once SIGINT, SIGTERM or SIGHUP has come: what Run::stop points to.
 extern std::atomic<bool> interrupted;
 
-// From here on SIGINT and SIGTERM set `interrupted`. A second one, or a stage that has not stopped after
+// From here on SIGINT, SIGTERM and SIGHUP (unless it is ignored, as under nohup) set `interrupted`. A second one, or a stage that has not stopped after
 // 0.8 s (a read from a pipe that gives nothing can not look at a flag), ends the process with status 5.
 // SIGPIPE and SIGXFSZ are ignored: a write that fails is reported as such.
 void catch_interrupts();

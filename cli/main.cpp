@@ -15,6 +15,7 @@
 #include "interrupt.h"
 #include "rimline/run.h"
 #include "rimline/version.h"
+#include "standard_streams.h"
 #include "subcommands.h"
 
 namespace rimline::cli {
@@ -23,7 +24,8 @@ namespace {
 constexpr std::size_t most_ids_listed = 10;
 
 int say(const std::string& message, int status) {
-  fmt::print(stderr, "rimline: {}\n", message);
+  const std::string line = "rimline: " + message + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);  // where it takes nothing, the status has to do
   return status;
 }
 
@@ -106,6 +108,7 @@ int flushed(int status) {
 
 int main(int argc, char** argv) {
   using namespace rimline;
+  cli::open_standard_streams();
   cli::catch_interrupts();
   try {
     return cli::flushed(cli::run_tool(argc, argv));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "rimline/io.h"
+#include "standard_streams.h"
 #include "summary.h"
 #include "uv_picture.h"
 
@@ -71,9 +72,8 @@ void finish(const MethodArguments& arguments, const std::vector<Output>& outputs
   add_costs(report.stages, session.clock().costs());
   if (!arguments.report.empty()) write_text(arguments.report, to_json(report));
   session.bar().erase();
-  if (!arguments.common.quiet) {
-    print_summary(any_standard(outputs) ? stderr : stdout, report, list_files(outputs), session.seconds());
-  }
+  if (arguments.common.quiet) return;
+  print_notice(summary(report, list_files(outputs), session.seconds()), any_standard(outputs));
 }
 
 }  // namespace rimline::cli

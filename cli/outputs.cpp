@@ -38,7 +38,7 @@ void check_ending(const Output& output) {
 }
 
 void check_place(const Output& output) {
-  const fs::path path = output.path;
+  const fs::path path = follow_links(output.path);
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code ignored;
   const auto refuse = [&output](const std::string& why) {
@@ -64,7 +64,8 @@ void check_outputs(const std::vector<Output>& outputs) {
     if (output.path != "-") check_place(output);
     if (output.path != "-" && is_stream(output.path)) continue;  // /dev/null takes any number
     std::error_code ignored;
-    const fs::path whole = fs::weakly_canonical(fs::absolute(output.path, ignored), ignored);
+    const std::string end = output.path == "-" ? "-" : follow_links(output.path);
+    const fs::path whole = fs::weakly_canonical(fs::absolute(end, ignored), ignored);
     if (!places.insert(output.path == "-" ? "-" : whole.string()).second) {
       throw Error(ErrorCode::BadOption,
                   fmt::format("{} goes to '{}', and so does another output", output.flag, output.path));

@@ -9,6 +9,7 @@
 #include "parse.h"
 #include "rimline/io.h"
 #include "session.h"
+#include "standard_streams.h"
 #include "subcommands.h"
 
 namespace rimline::cli {
@@ -43,8 +44,9 @@ void run_sample(const SampleArguments& arguments) {
   if (!arguments.truth.empty()) write_text(arguments.truth, loops_to_json(result.loops, cloud.points.size()));
   session.bar().erase();
   if (arguments.common.quiet) return;
-  fmt::print(any_standard(outputs) ? stderr : stdout, "{} points of {}, {} loops, in {}\n",
-             cloud.points.size(), name(arguments.options.shape), result.loops.size(), list_files(outputs));
+  print_notice(fmt::format("{} points of {}, {} loops, in {}\n", cloud.points.size(),
+                           name(arguments.options.shape), result.loops.size(), list_files(outputs)),
+               any_standard(outputs));
 }
 
 void add_sample_options(CLI::App& command, SampleArguments& arguments) {
@@ -86,10 +88,8 @@ void add_sample(CLI::App& tool) {
   add_sample_options(command, *arguments);
   add_output(command, arguments->output, "OUT.ply",
              "The points, with boundary (1 on a true loop); - for standard output", true);
-  command
-      .add_option("--truth", arguments->truth, "Write the true loops (JSON, schema 1); - for standard output")
-      ->type_name("LOOPS.json")
-      ->group("Files");
+  add_path(command, "--truth", arguments->truth, "LOOPS.json",
+           "Write the true loops (JSON, schema 1); - for standard output");
   add_common(command, arguments->common);
   command.callback([arguments] { run_sample(*arguments); });
 }

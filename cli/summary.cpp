@@ -100,7 +100,7 @@ std::string with_commas(long long number) {
   return digits;
 }
 
-void print_summary(std::FILE* to, const Report& report, const std::string& files, double seconds) {
+std::string summary(const Report& report, const std::string& files, double seconds) {
   std::string text = points_line(report.points);
   text += line("spacing", fmt::format("{:.4g} on average, {:.4g} to {:.4g}", report.spacing.mean,
                                       report.spacing.least, report.spacing.most));
@@ -119,8 +119,7 @@ void print_summary(std::FILE* to, const Report& report, const std::string& files
   if (!report.components.empty()) text += component_lines(report.components);
   for (const std::string& warning : report.warnings) text += line("warning", warning);
   if (!files.empty()) text += line("wrote", files);
-  text += line("seconds", fmt::format("{:.2f}", seconds));
-  std::fwrite(text.data(), 1, text.size(), to);
+  return text + line("seconds", fmt::format("{:.2f}", seconds));
 }
 
 }  // namespace rimline::cli

@@ -2,7 +2,6 @@
 // What a run came to, in a few lines for people.
 #pragma once
 
-#include <cstdio>
 #include <string>
 
 #include "rimline/report.h"
@@ -10,7 +9,7 @@
 namespace rimline::cli {
 
 // `files`: what was written, or "".
-void print_summary(std::FILE* to, const Report& report, const std::string& files, double seconds);
+std::string summary(const Report& report, const std::string& files, double seconds);
 
 // 12745 -> "12,745".
 std::string with_commas(long long number);

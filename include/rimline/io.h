@@ -49,6 +49,10 @@ void write_text(const std::string& path, const std::string& text);
 // "-" has, PLY or JSON.
 bool is_stream(const std::string& path);
 
+// The file that a chain of links ends in, whether it exists or not: what a write to `path` makes or replaces.
+// Throws CannotWrite where the chain has no end.
+std::string follow_links(const std::string& path);
+
 // Removes what is being written at this moment under a temporary name, in any thread. Async-signal-safe: for
 // a signal handler that ends the process and must leave no partial file.
 void remove_unfinished_files() noexcept;

@@ -22,15 +22,47 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 20;
 
-// The file that a chain of links ends in, so that a rename replaces that and not the link.
-std::string follow_links(const std::string& path) {
+std::string directory_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+// The real path of what is there; `path` itself for a pipe, whose link under /proc leads nowhere.
+std::string real_path(const std::string& path) {
   const std::unique_ptr<char, void (*)(void*)> real(::realpath(path.c_str(), nullptr), std::free);
   return real ? real.get() : path;
 }
 
-std::string directory_of(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+// Where a link points to, one step on; empty where `path` is no link.
+std::string link_target(const std::string& path) {
+  std::array<char, 4096> text;  // PATH_MAX
+  const ssize_t size = ::readlink(path.c_str(), text.data(), text.size());
+  if (size <= 0 || static_cast<std::size_t>(size) == text.size()) return {};
+  std::string target(text.data(), static_cast<std::size_t>(size));
+  return target.front() == '/' ? target : directory_of(path) + "/" + target;
+}
+
+// The descriptor, with another number where it has that of a standard stream that was closed: what is printed
+// must not reach an output.
+int above_standard(int descriptor) {
+  if (descriptor < 0 || descriptor > STDERR_FILENO) return descriptor;
+  const int above = ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  const int reason = errno;
+  ::close(descriptor);
+  errno = reason;
+  return above;
+}
+
+int open_file(const std::string& path, int flags, mode_t mode = 0) {
+  return above_standard(::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, mode));
+}
+
+// Gives a new file the owner and the mode of the one that it will replace. Where the owner can not be kept
+// (only root may give files away), nobody gains rights by it: no bit to run as the owner stays.
+void keep_owner_and_mode(int descriptor, const struct stat& old) {
+  const bool group = ::fchown(descriptor, static_cast<uid_t>(-1), old.st_gid) == 0;
+  const bool owner = ::fchown(descriptor, old.st_uid, static_cast<gid_t>(-1)) == 0;
+  (void)::fchmod(descriptor, old.st_mode & (owner && group ? 07777 : 0777));
 }
 
 std::string temporary_name(const std::string& target, int attempt) {
@@ -84,19 +116,19 @@ SafeFile::SafeFile(std::string path) : path_(std::move(path)), buffer_(buffer_si
     fail("cannot be written");
   }
   if (exists && !S_ISREG(status.st_mode)) {  // /dev/null must not be replaced by a file
-    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    descriptor_ = open_file(target_, 0);
     if (descriptor_ < 0) fail("cannot be opened");
     return;
   }
-  open_temporary();
-  if (exists) (void)::fchmod(descriptor_, status.st_mode & 07777);
+  open_temporary(exists ? 0600 : 0666);  // nobody is to read what the old file kept to itself
+  if (exists) keep_owner_and_mode(descriptor_, status);
 }
 
-void SafeFile::open_temporary() {
+void SafeFile::open_temporary(unsigned mode) {
   constexpr int most_attempts = 1000;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     temporary_ = temporary_name(target_, attempt);
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = open_file(temporary_, O_CREAT | O_EXCL, mode);
     if (descriptor_ >= 0) {
       slot_ = list_unfinished(temporary_);
       return;
@@ -189,6 +221,19 @@ bool is_stream(const std::string& path) {
   struct stat status {};
   return path == "-" ||
          (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode));
+}
+
+std::string follow_links(const std::string& path) {
+  constexpr int most_links = 40;  // as many as the system follows
+  std::string end = path;
+  for (int i = 0; i < most_links; ++i) {
+    struct stat status {};
+    if (::stat(end.c_str(), &status) == 0) return io::real_path(end);
+    std::string next = io::link_target(end);  // of a link to what is not there yet
+    if (next.empty()) return end;
+    end = std::move(next);
+  }
+  throw Error(ErrorCode::CannotWrite, path + ": cannot be written: " + std::strerror(ELOOP));
 }
 
 void remove_unfinished_files() noexcept {

@@ -12,8 +12,9 @@
 namespace rimline::io {
 
 // Written beside its target (as .NAME.rimline-PID-N.tmp) and renamed over it by commit(); without a commit
-// the target is untouched and nothing is left. "-" is standard output; it, devices and pipes are written
-// to directly. All functions throw Error{CannotWrite} with the system's reason.
+// the target is untouched and nothing is left. Links are followed, also to a file that is not there yet; a
+// file that is replaced hands down its owner and mode. "-" is standard output; it, devices and pipes are
+// written to directly. All functions throw Error{CannotWrite} with the system's reason.
 class SafeFile {
  public:
   explicit SafeFile(std::string path);
@@ -34,7 +35,7 @@ class SafeFile {
   void commit();
 
  private:
-  void open_temporary();
+  void open_temporary(unsigned mode);
   void flush();
   void write_through(const char* from, std::size_t size);
   char* room(std::size_t size) {

@@ -53,7 +53,7 @@ std::vector<PointLabel> label_boundary(std::vector<PointLabel> label, const std:
 void check_reached(const std::vector<Index>& left_out) {
   if (left_out.empty()) return;
   const std::string message = fmt::format(
-      "{} interior points have no chain of neighbours to a given loop; allow_partial leaves them out",
+      "{} interior points have no chain of neighbours to a given loop; --allow-partial leaves them out",
       left_out.size());
   throw Error(ErrorCode::UnreachableInterior, message, left_out);
 }

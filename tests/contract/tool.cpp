@@ -20,6 +20,8 @@
 namespace rimline::test {
 namespace {
 
+constexpr unsigned nobody = 65534;
+
 struct Pipe {
   int read_end = -1, write_end = -1;
 };
@@ -57,9 +59,16 @@ void limit(int resource, std::size_t most) {
   }
   limit(RLIMIT_AS, call.memory);
   limit(RLIMIT_FSIZE, call.file_size);
+  if (call.no_threads) {
+    if (getuid() == 0 && (setgid(nobody) != 0 || setuid(nobody) != 0)) _exit(126);
+    limit(RLIMIT_NPROC, 1);
+  }
   std::vector<char*> argv = {const_cast<char*>("rimline")};
   for (const std::string& argument : call.arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
+  if (call.closed_streams) {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) close(stream);
+  }
   execv(RIMLINE_TOOL, argv.data());
   _exit(127);
 }
@@ -142,7 +151,7 @@ Finished run(const Call& call) {
   child.id = fork();
   if (child.id == 0) {
     // What the parent ignores the tool would inherit as ignored.
-    signal(SIGPIPE, SIG_DFL);
+    for (const int number : {SIGPIPE, SIGHUP}) signal(number, SIG_DFL);
     become_tool(call, in.read_end, out.write_end, err.write_end);
   }
   close(in.read_end);

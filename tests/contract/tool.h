@@ -18,6 +18,8 @@ struct Call {
   std::string output_to = {};    // standard output goes to this file instead of `Finished::out`
   std::size_t memory = 0;        // bytes of address space, 0 for no limit
   std::size_t file_size = 0;     // most bytes of any file, 0 for no limit
+  bool no_threads = false;       // run as a user who may make no thread; root becomes `nobody` for it
+  bool closed_streams = false;   // descriptors 0 to 2 are closed
   int signal = 0;                // sent as soon as `signal_when` says so
   int signals = 1;               // how often
   bool deadline = true;          // false: the timer that ends an interrupted tool never fires
