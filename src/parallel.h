@@ -9,17 +9,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <thread>
 #include <vector>
 
 #include "rimline/run.h"
+#include "threads.h"
 
 namespace rimline {
-
-inline int thread_count(const Run& run) {
-  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return run.threads > 0 ? run.threads : cores;
-}
 
 // Calls body(begin, end) over slices of [0, count). Progress is reported by the thread that called, between
 // batches of slices; a cancelled run throws Error{Cancelled} there. `grain` is the number of items in one

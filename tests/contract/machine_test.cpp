@@ -62,7 +62,7 @@ TEST_CASE("whatever the address space, the tool ends with the same bytes or with
   const std::string input = sample(folder, "sphere-minus-cap", "2000");
   REQUIRE(rimline::test::rimline({"reconstruct", input, "-o", folder / "free.ply", "--quiet"}).status == 0);
   int done = 0, refused = 0;
-  for (std::size_t megabytes = 40; megabytes <= 400; megabytes += 8) {
+  for (std::size_t megabytes = 16; megabytes <= 96; megabytes += 4) {
     const std::string mesh = folder / "held.ply";
     const Finished held =
         run({.arguments = {"reconstruct", input, "-o", mesh}, .memory = megabytes << 20});
