@@ -202,7 +202,8 @@ std::string to_json(const Report& report) {
   if (!report.components.empty()) json["components"] = components_json(report.components);
   json["warnings"] = report.warnings;
   json["run"] = run_json(report);
-  return json.dump(1) + "\n";
+  // Names of files need not be UTF-8.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace rimline

@@ -8,6 +8,7 @@
 #include "pipeline/report.h"
 #include "pipeline/results.h"
 #include "pipeline/score.h"
+#include "pipeline/units.h"
 #include "rimline/memory.h"
 
 namespace rimline {
@@ -28,6 +29,8 @@ void check(Points points, const Options& options, const Given& given, const Meth
 }  // namespace
 
 BoundaryResult find_boundary(Points points, const Options& options, const Run& run, const Given& given) {
+  if (const auto scaled = scaled_to_unit(points, options, given))
+    return run_scaled(find_boundary, *scaled, options, run);
   const Method& method = method_of(options.preset);
   check(points, options, given, method, Stage::Loops, run);
   StageClock clock;
@@ -43,6 +46,8 @@ BoundaryResult find_boundary(Points points, const Options& options, const Run& r
 }
 
 ParameterizeResult parameterize(Points points, const Options& options, const Run& run, const Given& given) {
+  if (const auto scaled = scaled_to_unit(points, options, given))
+    return run_scaled(parameterize, *scaled, options, run);
   const Method& method = method_of(options.preset);
   check(points, options, given, method, Stage::Refine, run);
   StageClock clock;
@@ -62,6 +67,8 @@ ParameterizeResult parameterize(Points points, const Options& options, const Run
 }
 
 ReconstructResult reconstruct(Points points, const Options& options, const Run& run, const Given& given) {
+  if (const auto scaled = scaled_to_unit(points, options, given))
+    return run_scaled(reconstruct, *scaled, options, run);
   const Method& method = method_of(options.preset);
   check(points, options, given, method, Stage::Measure, run);
   StageClock clock;

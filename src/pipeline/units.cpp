@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "morton.h"
+
+namespace rimline::pipeline {
+namespace {
+
+constexpr int usual = 32;  // exponents of extents that are left alone
+
+// Exact but where the result is beyond what a double holds.
+void scale(double& value, int exponent) { value = std::ldexp(value, exponent); }
+void scale(Point& p, int exponent) {
+  for (double* x : {&p.x, &p.y, &p.z}) scale(*x, exponent);
+}
+void scale(UV& p, int exponent) {
+  for (double* x : {&p.u, &p.v}) scale(*x, exponent);
+}
+template <class T>
+void scale(std::vector<T>& items, int exponent) {
+  for (T& item : items) scale(item, exponent);
+}
+void scale(DistanceSummary& d, int exponent) {
+  for (double* x : {&d.mean, &d.rms, &d.most}) scale(*x, exponent);
+}
+void scale(SpacingSummary& s, int exponent) {
+  for (double* x : {&s.mean, &s.least, &s.most, &s.low, &s.high}) scale(*x, exponent);
+}
+
+// Of half the extent of the finite points, whose double may overflow; 0 where they are all in one place.
+int exponent_of(Points points) {
+  PointBox box;
+  for (const Point& p : points) {
+    if (is_finite(p)) box.add(p);
+  }
+  const double half = std::max({0.5 * box.high.x - 0.5 * box.low.x, 0.5 * box.high.y - 0.5 * box.low.y,
+                                0.5 * box.high.z - 0.5 * box.low.z});
+  return half > 0 ? std::ilogb(half) : 0;
+}
+
+void scale_report(Report& report, int exponent) {
+  scale(report.spacing, exponent);
+  for (Loop& loop : report.loops) scale(loop.length, exponent);
+  scale(report.mesh.area, 2 * exponent);
+  if (report.holes) {
+    for (FilledHole& hole : report.holes->filled) scale(hole.length, exponent);
+  }
+  if (report.reference) {
+    scale(report.reference->area, 2 * exponent);
+    scale(report.reference->hausdorff, exponent);
+    scale(report.reference->to_reference, exponent);
+    scale(report.reference->from_reference, exponent);
+  }
+  for (ComponentSummary& component : report.components) {
+    scale(component.mesh.area, 2 * exponent);
+    if (component.to_reference) scale(*component.to_reference, exponent);
+  }
+}
+
+// A free map is at the scale of the surface, the others are of size 1.
+void scale_map(std::vector<UV>& uv, const Scaled& scaled) {
+  if (scaled.options.map.domain == Domain::Free) scale(uv, scaled.exponent);
+}
+
+}  // namespace
+
+std::optional<Scaled> scaled_to_unit(Points points, const Options& options, const Given& given) {
+  const int exponent = exponent_of(points);
+  if (std::abs(exponent) <= usual) return std::nullopt;
+  Scaled scaled{exponent, {points.begin(), points.end()}, options, given};
+  scale(scaled.points, -exponent);
+  scale(scaled.given.reference.points, -exponent);
+  scale(scaled.options.mesh.holes.most_length, -exponent);
+  return scaled;
+}
+
+void to_input_unit(const Scaled& scaled, const Options& options, BoundaryResult& result) {
+  for (Loop& loop : result.loops) scale(loop.length, scaled.exponent);
+  scale_report(result.report, scaled.exponent);
+  result.report.options = options;
+}
+
+void to_input_unit(const Scaled& scaled, const Options& options, ParameterizeResult& result) {
+  to_input_unit(scaled, options, result.boundary);
+  scale_map(result.uv, scaled);
+}
+
+void to_input_unit(const Scaled& scaled, const Options& options, ReconstructResult& result) {
+  to_input_unit(scaled, options, result.boundary);
+  scale_map(result.uv, scaled);
+  scale(result.added, scaled.exponent);
+}
+
+}  // namespace rimline::pipeline
