@@ -80,7 +80,7 @@ bool holds(const Struct& options, const void* field) {
 std::string group_of(const Options& options, const void* field) {
   if (holds(options.boundary, field)) return "Boundary test (section 2)";
   if (holds(options.loops, field)) return "Loops (section 3)";
-  if (holds(options.exact, field)) return "Exact loops (preset default)";
+  if (holds(options.boundary_loops, field)) return "Boundary loops (preset default)";
   if (holds(options.map, field)) return "Map (section 5)";
   return "Mesh (section 5)";
 }

@@ -30,7 +30,7 @@ struct Extent {
 };
 
 template <class Ids>
-Extent extent(const std::vector<Point>& points, const Ids& ids, double Point::*axis) {
+Extent extent(const std::vector<Point>& points, const Ids& ids, double Point::* axis) {
   Extent result{1e300, -1e300};
   for (const Index id : ids) {
     result.low = std::min(result.low, points[id].*axis);
@@ -117,7 +117,7 @@ TEST_CASE("rims of real scans that sizes alone get wrong are made right by the s
     const Cloud cloud = read_cloud(path, {});
     Options options = preset_options(Preset::Default);
     CHECK(points_f1(cloud, find_boundary(cloud.points, options, {}).loops) >= least);
-    options.exact.rim_generations = 0;
+    options.boundary_loops.rim_generations = 0;
     CHECK(points_f1(cloud, find_boundary(cloud.points, options, {}).loops) < least - 0.02);
   }
 }

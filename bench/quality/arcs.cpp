@@ -16,7 +16,7 @@ double circumradius(Point a, Point b, Point c) {
 }
 
 // The neighbours on both sides of the only opening of the fan, if there is just one.
-std::optional<std::pair<Index, Index>> opening(Points points, Index at, exact::Star star, double reach) {
+std::optional<std::pair<Index, Index>> opening(Points points, Index at, Star star, double reach) {
   std::optional<std::pair<Index, Index>> found;
   for (std::size_t i = 0; i < star.size(); ++i) {
     const Index a = star[i], b = star[(i + 1) % star.size()];
@@ -40,7 +40,7 @@ std::optional<std::pair<Index, Index>> opening(Points points, Index at, exact::S
 
 }  // namespace
 
-EdgeSet mutual_edges(Points points, const exact::Stars& stars, const std::vector<double>& spacing) {
+EdgeSet mutual_edges(Points points, const DelaunayStars& stars, const std::vector<double>& spacing) {
   std::vector<Edge> named;
   for (Index p = 0; p < static_cast<Index>(stars.size()); ++p) {
     const auto found = opening(points, p, stars[p], largest * spacing[p]);

@@ -2,8 +2,8 @@
 // Local evidence alone, before the default joins anything: what its later steps are measured against.
 #include <chrono>
 
-#include "exact/frame.h"
-#include "exact/star.h"
+#include "local/frame.h"
+#include "local/star.h"
 #include "quality/arcs.h"
 #include "quality/method.h"
 #include "rimline/arrange.h"
@@ -47,8 +47,8 @@ void find_arcs(const Case& c, Outcome& outcome) {
   const Prepared p = prepare(c);
   const auto& points = p.arrangement.points;
   const auto spacing = local_spacing(points, p.neighbours);
-  const auto frames = exact::fit_frames(points, p.neighbours, one_thread());
-  const auto stars = exact::find_stars(points, p.neighbours, spacing, frames, one_thread());
+  const auto frames = fit_frames(points, p.neighbours, one_thread());
+  const auto stars = find_delaunay_stars(points, p.neighbours, spacing, frames, one_thread());
   take_loops(closed_arcs(mutual_edges(points, stars, spacing)), p.arrangement, outcome);
 }
 

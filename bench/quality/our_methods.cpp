@@ -81,7 +81,7 @@ Method method_of(Preset preset) {
 // Each doubtful triangle is decided by its own size.
 Method without_search() {
   Options options;
-  options.exact.rim_generations = 0;
+  options.boundary_loops.rim_generations = 0;
   Method method = method_of("greedy", "greedy join", options);
   method.makes_mesh = false;
   return method;

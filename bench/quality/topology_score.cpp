@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "rimline/exact_loops.h"
+#include "rimline/boundary_loops.h"
 #include "rimline/sample.h"
 
 namespace rimline::bench {

@@ -8,7 +8,7 @@
 #include "clouds.h"
 #include "rimline/arrange.h"
 #include "rimline/boundary.h"
-#include "rimline/exact_loops.h"
+#include "rimline/boundary_loops.h"
 #include "rimline/neighbours.h"
 #include "rimline/triangulate.h"
 
@@ -69,13 +69,13 @@ void delaunay_stage(benchmark::State& state) {
   count_points(state);
 }
 
-void find_exact_loops_stage(benchmark::State& state) {
+void find_boundary_loops_stage(benchmark::State& state) {
   const auto& points = arranged_sheet(size_of(state));
   const Neighbours neighbours = find_neighbours(points, k, {});
   const BoundaryScores scores = score_boundary(points, neighbours, {}, {});
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        find_exact_loops(points, neighbours, scores, {}, 0.9, run_of(state)).loops.data());
+        find_boundary_loops(points, neighbours, scores, {}, 0.9, run_of(state)).loops.data());
   }
   count_points(state);
 }
@@ -105,7 +105,7 @@ BENCHMARK(neighbours_stage)->Apply(on_threads);
 BENCHMARK(neighbours_stage_in_input_order)->Apply(on_threads);
 BENCHMARK(leave_out_stray_stage)->Apply(on_one_thread);
 BENCHMARK(score_boundary_stage)->Apply(on_threads);
-BENCHMARK(find_exact_loops_stage)->Apply(on_threads);
+BENCHMARK(find_boundary_loops_stage)->Apply(on_threads);
 BENCHMARK(delaunay_stage)->Apply(on_one_thread);
 BENCHMARK(memory_copy)->Arg(1 << 28)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -60,9 +60,9 @@ enum class LoopPolicy {
 // "all", "outer", "largest".
 const char* name(LoopPolicy policy);
 
-// Every boundary, exact and in order: what the preset `default` has in place of sections 3.2 to 3.4.
-// [ours, docs/departures.md]
-struct ExactLoopOptions {
+// Every boundary loop, in order: what the preset `default` has in place of sections 3.2 to 3.4.
+// [ours, docs/default-method.md]
+struct BoundaryLoopOptions {
   LoopPolicy loop_policy = LoopPolicy::All;
   int min_loop = 6;              // points of a loop that is returned, at least 3
   double min_probability = 0.4;  // of a loop that is returned; noise of half a spacing leaves about 0.5
@@ -119,7 +119,7 @@ struct Options {
   Preset preset = Preset::Default;
   BoundaryOptions boundary;
   LoopOptions loops;
-  ExactLoopOptions exact;
+  BoundaryLoopOptions boundary_loops;
   ParameterizeOptions map;
   MeshOptions mesh;
 };
@@ -168,13 +168,14 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
   field("mutation_probability", o.loops.mutation_probability, 0.0, 1.0, "per bit (section 3.1: low)");
   field("max_path_steps", o.loops.max_path_steps, 1, huge, "bound on the work of Algorithm 3.1 [ours]");
   field(
-      "loop_policy", o.exact.loop_policy, LoopPolicy::All, LoopPolicy::All,
+      "loop_policy", o.boundary_loops.loop_policy, LoopPolicy::All, LoopPolicy::All,
       "the loops that are returned: all, the outer one of each component, or the largest component's [ours]");
-  field("min_loop", o.exact.min_loop, 3, 1'000'000'000, "least points of a returned loop [ours]");
-  field("min_probability", o.exact.min_probability, 0.0, 1.0, "least probability of a returned loop [ours]");
-  field("rim_population", o.exact.rim_population, 2, 100'000,
+  field("min_loop", o.boundary_loops.min_loop, 3, 1'000'000'000, "least points of a returned loop [ours]");
+  field("min_probability", o.boundary_loops.min_probability, 0.0, 1.0,
+        "least probability of a returned loop [ours]");
+  field("rim_population", o.boundary_loops.rim_population, 2, 100'000,
         "chromosomes per group of doubtful triangles [ours]");
-  field("rim_generations", o.exact.rim_generations, 0, 1'000'000,
+  field("rim_generations", o.boundary_loops.rim_generations, 0, 1'000'000,
         "most generations of a group; 0 decides each triangle by its own size [ours]");
   field("domain", o.map.domain, Domain::Disc, Domain::Disc,
         "where a patch is mapped to: free is least squares conformal at real scale [ours]");

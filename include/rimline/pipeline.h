@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rimline/exact_loops.h"
+#include "rimline/boundary_loops.h"
 #include "rimline/measure.h"
 #include "rimline/mesh.h"
 #include "rimline/options.h"

@@ -96,7 +96,7 @@ struct Surface {
 // Tells which points and loops belong together and meshes each patch. Where options.allow_partial is set, a
 // patch that fails is reported and the others stay; else it throws as refine_patch does, with the ids of
 // `points`. Throws NoClosedLoop where there are no loops.
-// `surface_triangles` may be empty; triangles that the loops bound (BoundarySurvey::triangles, gaps and all)
+// `surface_triangles` may be empty; triangles that the loops bound (BoundaryLoops::triangles, gaps and all)
 // tell parts that are close to each other apart more surely than the points alone.
 Surface refine_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                        const std::vector<Triangle>& surface_triangles, const RefineOptions& options,

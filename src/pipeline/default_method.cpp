@@ -9,7 +9,7 @@ namespace {
 
 void all_options_are_ours(const Options&) {}
 
-SearchSummary summarize(RimSearchSummary search) {
+SearchSummary summarize(SelectionSummary search) {
   SearchSummary summary;
   summary.doubtful = search.doubtful;
   summary.groups = search.groups;
@@ -31,9 +31,9 @@ Run with_clock(const Run& run, StageClock& clock) {
 FoundLoops find_all_loops(const PreparedPoints& prepared, const BoundaryScores& scores,
                           const Options& options, const Given& given, const Run& run, StageClock& clock) {
   clock.enter(Stage::Survey);
-  BoundarySurvey survey = with_ids_of_input(prepared, [&] {
-    return find_exact_loops(prepared.points(), prepared.neighbours, prepared.spacing, scores, options.exact,
-                            options.loops.length_exponent, with_clock(run, clock));
+  BoundaryLoops survey = with_ids_of_input(prepared, [&] {
+    return find_boundary_loops(prepared.points(), prepared.neighbours, prepared.spacing, scores,
+                               options.boundary_loops, options.loops.length_exponent, with_clock(run, clock));
   });
   FoundLoops found;
   found.probability = std::move(survey.probability);

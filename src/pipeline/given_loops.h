@@ -6,7 +6,7 @@
 
 #include "pipeline/prepare.h"
 #include "rimline/boundary.h"
-#include "rimline/exact_loops.h"
+#include "rimline/boundary_loops.h"
 
 namespace rimline::pipeline {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rimline/exact_loops.h"
+#include "rimline/boundary_loops.h"
 #include "rimline/mesh.h"
 #include "rimline/report.h"
 

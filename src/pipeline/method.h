@@ -8,7 +8,7 @@
 #include "pipeline/mapped_mesh.h"
 #include "pipeline/prepare.h"
 #include "rimline/boundary.h"
-#include "rimline/exact_loops.h"
+#include "rimline/boundary_loops.h"
 
 namespace rimline::pipeline {
 
@@ -18,7 +18,7 @@ struct FoundLoops {
   std::vector<float> probability;  // per point; of the default method
   std::vector<PointLabel> label;   // per point; of the default method
   std::vector<Triangle> surface;   // that the loops were found on; of the default method
-  bool range_scan = false;         // BoundarySurvey::range_scan
+  bool range_scan = false;         // BoundaryLoops::range_scan
   SearchSummary search;
   std::vector<std::string> warnings;
 };

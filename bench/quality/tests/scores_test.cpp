@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <numbers>
 
-#include "exact/frame.h"
-#include "exact/star.h"
+#include "local/frame.h"
+#include "local/star.h"
 #include "quality/analytic.h"
 #include "quality/arcs.h"
 #include "quality/crossings.h"
@@ -330,8 +330,8 @@ TEST_CASE("the arcs of a flat grid with a hole close into its outline and the ho
   run.threads = 1;
   const auto neighbours = find_neighbours(kept, 16, run);
   const auto spacing = local_spacing(kept, neighbours);
-  const auto frames = exact::fit_frames(kept, neighbours, run);
-  const auto stars = exact::find_stars(kept, neighbours, spacing, frames, run);
+  const auto frames = fit_frames(kept, neighbours, run);
+  const auto stars = find_delaunay_stars(kept, neighbours, spacing, frames, run);
   const LoopIds loops = closed_arcs(mutual_edges(kept, stars, std::vector<double>(kept.size(), 0.55)));
   std::vector<Index> expected;
   for (const Index id : outline()) expected.push_back(id_in[id]);

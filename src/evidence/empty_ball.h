@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether there is nothing beyond a rim.
+#pragma once
+
+#include <vector>
+
+#include "rimline/neighbours.h"
+#include "rimline/points.h"
+
+namespace rimline {
+
+// The radius, in spacings, of the largest empty ball through both ends of a rim edge whose centre lies beyond
+// the edge, in the plane of its triangle (with third corner `inner`); at most 5. Beyond a true boundary there
+// is nothing; beyond the end of what could be triangulated at a crease or a thin wall the surface goes on.
+double empty_ball_radius(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                         Index a, Index b, Index inner);
+
+}  // namespace rimline

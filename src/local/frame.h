@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tangent plane of a point, estimated from its neighbours.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rimline/neighbours.h"
+#include "rimline/points.h"
+#include "rimline/run.h"
+
+namespace rimline {
+
+// A right-handed orthonormal frame. The sign of the normal is arbitrary.
+struct Frame {
+  Point u, v, normal;
+  double thickness = 0;  // least over middle eigenvalue of the covariance, in [0, 1]: 0 is flat
+};
+
+// Principal directions of the point and the given others.
+Frame fit_frame(Points points, std::span<const Index> others, Index point);
+
+// Of every point and its neighbours. Takes the 12 nearest, and more (up to all that there are) where these
+// lie nearly on a line, as in scan lines whose rows are far apart.
+std::vector<Frame> fit_frames(Points points, const Neighbours& neighbours, const Run& run);
+
+}  // namespace rimline

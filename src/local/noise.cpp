@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "local/noise.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "local/frame.h"
+#include "local/irregularity.h"
+#include "local/ramp.h"
+#include "parallel.h"
+
+namespace rimline {
+namespace {
+
+constexpr int terms = 6;  // of a quadric z = a + b x + c y + d x^2 + e x y + f y^2
+
+// The quadric over the tangent plane of a point that fits it and its neighbours best.
+struct Quadric {
+  Point normal;
+  double height = 0;     // of the quadric at the point, along the normal
+  double deviation = 0;  // of the points from it, for the degrees of freedom that are left
+};
+
+Quadric fit_quadric(Points points, const Neighbours& neighbours, Index self, int count) {
+  using Row = Eigen::Matrix<double, terms, 1>;
+  const auto ids = neighbours.of(self, std::min(count, neighbours.k));
+  const Frame frame = fit_frame(points, ids, self);
+  Quadric quadric{frame.normal};
+  if (ids.size() < terms + 2) return quadric;
+  const double scale = 1 / distance(points[self], points[ids.back()]);
+  Eigen::Matrix<double, terms, terms> squares = Eigen::Matrix<double, terms, terms>::Zero();
+  Row right = Row::Zero();
+  double heights = 0;
+  const auto take = [&](Point d) {
+    const double x = scale * dot(d, frame.u), y = scale * dot(d, frame.v), z = dot(d, frame.normal);
+    Row row;
+    row << 1, x, y, x * x, x * y, y * y;
+    squares.selfadjointView<Eigen::Lower>().rankUpdate(row);
+    right += z * row;
+    heights += z * z;
+  };
+  take({});
+  for (const Index id : ids) take(points[id] - points[self]);
+  for (int i = 0; i < terms; ++i) squares(i, i) += 1e-9;  // scan lines may not tell a curvature
+  const Row fit = squares.selfadjointView<Eigen::Lower>().ldlt().solve(right);
+  quadric.height = fit[0];
+  const double rest = std::max(0.0, heights - fit.dot(right));
+  quadric.deviation = std::sqrt(rest / static_cast<double>(ids.size() + 1 - terms));
+  return quadric;
+}
+
+// The value below which that share of others lies.
+double quantile(std::vector<double>& values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+double noise_level(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                   const Run& run) {
+  constexpr int count = 12;
+  // Of normal noise: the roots of quantiles of the chi-square law over its freedom, 7.
+  constexpr double quartile = 0.8, twentieth = 0.556;
+  const std::size_t stride = stride_over(points.size());
+  std::vector<double> deviation((points.size() - 1) / stride + 1);
+  parallel_for_each(deviation.size(), Stage::Survey, run, [&](Index i) {
+    const auto p = static_cast<Index>(stride * static_cast<std::size_t>(i));
+    deviation[i] = fit_quadric(points, neighbours, p, count).deviation / spacing[p];
+  });
+  const double level = quantile(deviation, 0.25) / quartile;
+  if (level == 0) return 0;
+  const double is_everywhere = ramp(quantile(deviation, 0.05) / twentieth / level, 0.8, 0.9);
+  const double is_close = ramp(variation_of_nearest(points, neighbours, spacing), 0.25, 0.28);
+  return level * std::max(is_everywhere, is_close);
+}
+
+double noise_weight(double level) {
+  constexpr double least = 0.07, full = 0.09;
+  return ramp(level, least, full);
+}
+
+std::vector<Point> take_off_noise(Points points, const Neighbours& neighbours, double weight,
+                                  const Run& run) {
+  constexpr int count = 24;
+  std::vector<Point> moved(points.begin(), points.end());
+  parallel_for_each(points.size(), Stage::Survey, run, [&](Index i) {
+    const Quadric quadric = fit_quadric(points, neighbours, i, count);
+    const Point there = points[i] + weight * quadric.height * quadric.normal;
+    if (is_finite(there)) moved[i] = there;  // not where squares of the distances are no numbers any more
+  });
+  return moved;
+}
+
+}  // namespace rimline

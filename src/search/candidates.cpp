@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "search/candidates.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "parallel.h"
+
+namespace rimline {
+namespace {
+
+constexpr double far_from_usual = 0.35;  // log_ratio beyond the spread that lets a hole start inside
+
+// log_ratio beyond the spread of a triangle that closes an opening, whatever the gaps beside it are: a chord
+// over a small hole leaves gaps that look like those at creases, since its other rim lies beyond them.
+constexpr double plainly_too_large = 0.8;
+
+// Whether a triangle is out of doubt for the gaps at its corners.
+class Spared {
+ public:
+  Spared(const std::vector<std::uint8_t>& excluded, LocalSizes& sizes) : excluded_(excluded), sizes_(sizes) {}
+
+  bool may_be(const Triangle& x) const { return excluded_[x[0]] || excluded_[x[1]] || excluded_[x[2]]; }
+  bool operator()(const Triangle& x) const {
+    return may_be(x) && sizes_.log_ratio(x) <= plainly_too_large + sizes_.spread(x);
+  }
+
+ private:
+  const std::vector<std::uint8_t>& excluded_;
+  LocalSizes& sizes_;
+};
+
+// The vertices of the triangles, ascending.
+std::vector<Index> vertices_of(const TriangleSet& set, const std::vector<Index>& triangles, const Run& run) {
+  std::vector<std::uint8_t> marked(set.vertices(), 0);
+  parallel_for_each(triangles.size(), Stage::Loops, run, [&](Index i) {
+    for (const Index v : set.triangle(triangles[i]))
+      std::atomic_ref(marked[v]).store(1, std::memory_order_relaxed);
+  });
+  return parallel_gather<Index>(marked.size(), Stage::Loops, run, [&](Index v, std::vector<Index>& found) {
+    if (marked[v]) found.push_back(v);
+  });
+}
+
+// The triangles that doubt starts from, ascending.
+std::vector<Index> first_candidates(const TriangleSet& set, LocalSizes& sizes, const Spared& is_spared,
+                                    double doubtful, const Run& run) {
+  // Limits tell that most triangles are nothing unusual.
+  sizes.find_limits(far_from_usual, run);
+  const auto asked =
+      parallel_gather<Index>(set.size(), Stage::Loops, run, [&](Index t, std::vector<Index>& found) {
+        if (set.is_at_rim(t) || sizes.may_exceed(t)) found.push_back(t);
+      });
+  sizes.find(vertices_of(set, asked, run), run);
+  return parallel_gather<Index>(asked.size(), Stage::Loops, run, [&](Index i, std::vector<Index>& found) {
+    const Index t = asked[i];
+    const Triangle& x = set.triangle(t);
+    if (is_spared(x)) return;
+    const double ratio = sizes.log_ratio(x);  // all sizes it needs are known
+    if (set.is_at_rim(t) ? ratio > doubtful : ratio > far_from_usual + sizes.spread(x)) found.push_back(t);
+  });
+}
+
+// The triangles beside these that are not among the seen yet, which they are then.
+std::vector<Index> see_beside(const TriangleSet& set, const std::vector<Index>& triangles,
+                              std::vector<std::uint8_t>& seen) {
+  std::vector<Index> beside;
+  beside.reserve(triangles.size());
+  for (const Index t : triangles) {
+    for (const Index other : set.beside(t)) {
+      if (other == none || seen[other]) continue;
+      seen[other] = 1;
+      beside.push_back(other);
+    }
+  }
+  return beside;
+}
+
+// Finds the sizes at the corners of the triangles, most of which are known.
+void find_missing(const TriangleSet& set, const std::vector<Index>& triangles, LocalSizes& sizes,
+                  const Run& run) {
+  auto missing =
+      parallel_gather<Index>(triangles.size(), Stage::Loops, run, [&](Index i, std::vector<Index>& found) {
+        for (const Index v : set.triangle(triangles[i])) {
+          if (!sizes.is_known(v)) found.push_back(v);
+        }
+      });
+  std::sort(missing.begin(), missing.end());
+  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+  sizes.find(missing, run);
+}
+
+// Those of the triangles that are doubtful where doubt is beside them.
+std::vector<Index> more_candidates(const TriangleSet& set, const std::vector<Index>& triangles,
+                                   LocalSizes& sizes, const Spared& is_spared, double doubtful,
+                                   const Run& run) {
+  find_missing(set, triangles, sizes, run);
+  return parallel_gather<Index>(triangles.size(), Stage::Loops, run, [&](Index i, std::vector<Index>& found) {
+    const Triangle& x = set.triangle(triangles[i]);
+    if (!is_spared(x) && sizes.log_ratio(x) > doubtful) found.push_back(triangles[i]);
+  });
+}
+
+std::vector<Index> candidate_triangles(const TriangleSet& set, LocalSizes& sizes,
+                                       const std::vector<std::uint8_t>& excluded, double doubtful,
+                                       const Run& run) {
+  const Spared is_spared(excluded, sizes);
+  constexpr int deepest = 12;  // triangles from the rim
+  std::vector<Index> all = first_candidates(set, sizes, is_spared, doubtful, run);
+  std::vector<std::uint8_t> seen(set.size(), 0);
+  for (const Index t : all) seen[t] = 1;
+  std::vector<Index> layer = all;
+  for (int depth = 1; depth < deepest && !layer.empty(); ++depth) {
+    layer = more_candidates(set, see_beside(set, layer, seen), sizes, is_spared, doubtful, run);
+    all.insert(all.end(), layer.begin(), layer.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+// The position of an id among ascending ones, or `not_candidate` where it is not among them.
+std::uint32_t position(const std::vector<Index>& ids, Index id) {
+  const auto at = std::lower_bound(ids.begin(), ids.end(), id);
+  return at != ids.end() && *at == id ? static_cast<std::uint32_t>(at - ids.begin()) : not_candidate;
+}
+
+}  // namespace
+
+Candidates find_candidates(const TriangleSet& set, LocalSizes& sizes,
+                           const std::vector<std::uint8_t>& excluded, const SearchOptions& options,
+                           const Run& run) {
+  Candidates candidates;
+  const FitnessModel& w = options.weights;
+  candidates.triangles = candidate_triangles(set, sizes, excluded, options.doubtful, run);
+  candidates.vertices = vertices_of(set, candidates.triangles, run);
+  sizes.find(candidates.vertices, run);
+  const std::size_t count = candidates.triangles.size();
+  for (std::vector<double>* values : {&candidates.log_ratio, &candidates.spread, &candidates.gain})
+    values->resize(count);
+  candidates.beside.resize(count);
+  candidates.candidate_beside.resize(count);
+  candidates.contrast.resize(count);
+  candidates.slots.resize(count);
+  parallel_for_each(count, Stage::Loops, run, [&](Index i) {
+    const Index t = candidates.triangles[i];
+    const Triangle& x = set.triangle(t);
+    double largest = 0;
+    for (const Index v : x) largest = std::max(largest, sizes.own(v));
+    candidates.log_ratio[i] = sizes.log_ratio(x);
+    const double own = std::clamp(std::log(set.radius(t) / largest), -1.0, 3.0);
+    candidates.spread[i] = sizes.spread(x);
+    candidates.gain[i] = w.open + w.size * candidates.log_ratio[i] + w.own * own;
+    for (int k = 0; k < 3; ++k) {
+      const Index a = x[k], b = x[(k + 1) % 3], beside = set.across(t, k);
+      candidates.slots[i][k] = position(candidates.vertices, x[k]);
+      candidates.beside[i][k] = beside;
+      candidates.candidate_beside[i][k] =
+          beside == none ? not_candidate : position(candidates.triangles, beside);
+      candidates.contrast[i][k] = 0;
+      if (beside == none) continue;
+      const double usual = std::max(sizes.own(set.apex(beside, a, b)), set.radius(beside));
+      const double c = std::log(set.radius(t) / usual);
+      candidates.contrast[i][k] = w.contrast * std::clamp(c - w.least_contrast, -1.0, 0.0);
+    }
+  });
+  return candidates;
+}
+
+}  // namespace rimline

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The genetic search in one group of doubtful triangles.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "random.h"
+#include "search/fitness.h"
+#include "search/groups.h"
+#include "search/search_options.h"
+#include "surface/rims.h"
+
+namespace rimline {
+
+// Small numbers, each once, ascending.
+class Marks {
+ public:
+  // For numbers below the count.
+  void start(std::size_t count) {
+    words_.assign((count + 63) / 64, 0);
+    begin_ = words_.size();
+    end_ = 0;
+  }
+  void add(std::uint32_t i) {
+    const std::size_t word = i / 64;
+    words_[word] |= std::uint64_t{1} << i % 64;
+    begin_ = std::min(begin_, word);
+    end_ = std::max(end_, word + 1);
+  }
+  template <class Body>
+  void each(const Body& body) const {
+    for (std::size_t w = begin_; w < end_; ++w) {
+      for (std::uint64_t left = words_[w]; left != 0; left &= left - 1)
+        body(static_cast<std::uint32_t>(64 * w) + static_cast<std::uint32_t>(std::countr_zero(left)));
+    }
+  }
+  void clear() {
+    for (std::size_t w = begin_; w < end_; ++w) words_[w] = 0;
+    begin_ = words_.size();
+    end_ = 0;
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+  std::size_t begin_ = 0, end_ = 0;  // of the words that are not zero
+};
+
+// What the search of one group finds, but for the triangles that it keeps.
+struct GroupResult {
+  double greedy = 0, best = 0;
+  std::vector<double> history_best, history_mean;  // until it stopped; its last generation goes on
+};
+
+// The search in one group after another. The shared mask `selected` holds the chromosome that is worked on:
+// one bit for each triangle of the group.
+class GroupSearch {
+ public:
+  // All that is given must outlive it. `log_points`: e-folds of the points of the surface beyond 1,000.
+  GroupSearch(const Candidates& candidates, const CandidateGroups& groups, const FanCorners& corners,
+              const SearchOptions& options, Selection& selected, double log_points)
+      : candidates_(candidates),
+        groups_(groups),
+        corners_(corners),
+        options_(options),
+        selected_(selected),
+        log_points_(log_points) {}
+
+  GroupResult search(const CandidateGroup& group, const Random& random);
+
+  // Turns to a group, all of whose triangles are selected.
+  void start(const CandidateGroup& group);
+  double fitness();
+  // Flips the bits and returns what the fitness gains.
+  double flip(std::span<const std::uint32_t> which);
+
+ private:
+  using Chromosome = std::vector<std::uint8_t>;
+
+  struct Bit {
+    std::uint32_t candidate;  // its position among the doubtful
+    Index triangle;
+    double gain;                     // of leaving it out, and what that is worth more for each beside it
+    std::array<double, 3> contrast;  // that is selected; copied here, for they are asked for together
+    std::uint32_t near_count = 0;
+    std::array<std::uint32_t, 3> beside{};    // the bits across its edges, as `now_` has them
+    std::array<std::uint32_t, 4> near{};      // itself and the bits beside it, ascending
+    std::array<std::uint32_t, 3> corners{};   // its vertices, as the triangle has them,
+    std::array<std::uint32_t, 3> vertices{};  // and ascending,
+    std::array<std::uint8_t, 3> places{};     // and its places among the bits of these
+    std::uint8_t found = 0;                   // of these, while they are found
+  };
+  struct Vertex {
+    std::uint32_t slot;         // in Candidates::vertices
+    std::uint32_t first, last;  // of its bits in `at_vertex_`
+    std::uint32_t costs;        // in `costs_`, or `not_candidate` where its bits are too many
+    std::uint32_t mask = 0;     // of its bits that are selected
+  };
+  struct Member {
+    Chromosome genes;
+    double fitness = 0;
+  };
+  // Left out triangles that hang together over edges.
+  struct Hole {
+    std::vector<std::uint32_t> bits;
+    bool outside = false;     // reaches a free edge of the set
+    double spread = 0;        // mean over the triangles
+    double largest = -1e300;  // log_ratio
+  };
+
+  void find_vertices();
+  void turn(std::uint32_t bit);
+  void unsettle(std::uint32_t bit);
+  void set(std::uint32_t bit, bool value);
+  double cost(std::uint32_t vertex);
+  double worth(std::uint32_t bit) const;
+  double flip_one(std::uint32_t bit);
+  double try_flip(std::span<const std::uint32_t> which);
+  template <class Take>
+  std::span<const std::uint32_t> region(std::uint32_t from, std::size_t most, const Take& take);
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(bits_.size()); }
+  void load(const Chromosome& genes);
+  void load_by_size(double threshold);
+  void store(Chromosome& genes) const { genes.assign(now_.begin(), now_.end() - 2); }
+  std::span<const std::uint32_t> bits_at(const Vertex& vertex) const {
+    return std::span(at_vertex_).subspan(vertex.first, vertex.last - vertex.first);
+  }
+  bool is_now(const Chromosome& genes) const { return std::equal(genes.begin(), genes.end(), now_.begin()); }
+  void climb();
+  void first_population(std::size_t size);
+  void breed();
+
+  double close_doubtful_holes();
+  Hole hole_at(std::uint32_t start, std::vector<std::uint8_t>& seen) const;
+  double least_gain(const Hole& hole) const;
+  bool is_chance(double log_ratio) const;
+  bool is_far_beyond_spread(const Hole& hole) const;
+
+  const Candidates& candidates_;
+  const CandidateGroups& groups_;
+  const FanCorners& corners_;
+  const SearchOptions& options_;
+  Selection& selected_;
+  double log_points_;
+  Random random_{0};
+  std::vector<Bit> bits_;
+  std::vector<Vertex> vertices_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of a slot and a bit there, ascending
+  std::vector<std::uint32_t> at_vertex_;                        // the bits alone
+  std::vector<double> costs_;  // of each vertex for all that its bits may be; NaN where not asked for yet
+  Chromosome now_;             // the bits; then one that is no triangle, and one that is in no doubt
+  std::vector<Member> members_;
+  Chromosome start_;                   // of the climb before
+  std::vector<std::uint8_t> settled_;  // bits whose flip is known not to pay, as all bits are now
+  Marks touched_, near_;               // vertices and bits
+  std::vector<std::uint32_t> region_, stamp_;
+  std::uint32_t epoch_ = 0;
+};
+
+}  // namespace rimline

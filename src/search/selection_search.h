@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The genetic search for the rim: which of the doubtful triangles belong to the surface.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rimline/run.h"
+#include "search/candidates.h"
+#include "search/fitness.h"
+#include "search/groups.h"
+#include "search/search_options.h"
+#include "surface/local_size.h"
+#include "surface/rims.h"
+#include "surface/triangle_set.h"
+
+namespace rimline {
+
+struct SearchResult {
+  Selection selected;
+  std::size_t doubtful = 0;  // triangles: the bits of all chromosomes
+  std::size_t groups = 0;
+  double greedy = 0, best = 0;                     // fitness
+  std::vector<double> history_best, history_mean;  // per generation, summed over the groups
+};
+
+// A chromosome says of each doubtful triangle whether it is selected. The rim of any set of triangles is a
+// set of closed loops, so any chromosome is a closed boundary, and so is what crossover and mutation make of
+// it: exchanging triangles adds (modulo 2) the boundary of what was exchanged.
+//
+// Doubtful triangles that share no vertex with others of their group do not influence each other, so each
+// group has a population of its own.
+//
+// Triangles at a vertex marked in `excluded` are not doubted: those around gaps that are no boundary. But
+// what is plainly too large is doubted there, too.
+//
+// The set, which must stay as it is, and the run must outlive it.
+class SelectionSearch {
+ public:
+  SelectionSearch(const TriangleSet& set, LocalSizes& sizes, const std::vector<std::uint8_t>& excluded,
+                  const SearchOptions& options, const Run& run);
+
+  // `evenness`: of a rim known before at each vertex, 0 to 1; 0 where it is on none. Empty: not known.
+  SearchResult find(const std::vector<double>& evenness) const;
+  // Once more, with the evenness of the rim found `before`. Where no rim is even it would find the same,
+  // which is taken over.
+  SearchResult find_again(const std::vector<double>& evenness, const Selection& before) const;
+
+ private:
+  Candidates with(const std::vector<double>& evenness) const;
+  template <class Wanted>
+  SearchResult search(const Candidates& candidates, Selection selected, const Wanted& wanted) const;
+
+  const TriangleSet& set_;
+  SearchOptions options_;
+  const Run& run_;
+  Candidates candidates_;
+  FanCorners corners_;
+  CandidateGroups groups_;
+};
+
+}  // namespace rimline

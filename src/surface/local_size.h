@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How large a triangle is against those around it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "first_touch.h"
+#include "rimline/neighbours.h"
+#include "rimline/run.h"
+#include "rimline/unfilled.h"
+#include "surface/star_levels.h"
+#include "surface/triangle_set.h"
+
+namespace rimline {
+
+// The circumradii of the triangles around a point: at it and at its 16 nearest neighbours.
+struct LocalSize {
+  double typical = -1;  // the value 5/8 up: between median and upper quartile
+  double spread = 0;    // interquartile range over it: about 0 on a grid, 0.3 on scans, 0.5 at random
+};
+
+// Spacing alone does not say which triangle is too large: a rim triangle of one spacing closes a true ear
+// on an even sample and is nothing unusual on a random one. Values are computed when first asked for, or for
+// many vertices at once by find(); they are the same. What was found may be asked for by many threads.
+class LocalSizes {
+ public:
+  LocalSizes(const TriangleSet& set, const Neighbours& neighbours, const Run& run = {})
+      : set_(set), neighbours_(neighbours) {
+    resize_together(known_, set.vertices(), run);
+  }
+
+  const LocalSize& at(Index vertex);
+  bool is_known(Index vertex) const { return known_[vertex].typical >= 0; }
+  // Computes those of the given ones.
+  void find(std::span<const Index> vertices, const Run& run);
+  // Bounds from below what radii have to be for a log_ratio of more than the margin, not negative, plus the
+  // spread, at all vertices: that costs a fraction of the sizes. Does nothing where these limits are known.
+  void find_limits(double margin, const Run& run);
+  void drop_limits();
+  // Whether the log_ratio of a triangle may be that much, as far as the limits at its corners tell. Never
+  // false where it is.
+  bool may_exceed(Index triangle) const;
+  // Computes anew, or forgets until asked for, all that the triangles at the marked vertices have a part in:
+  // after these have changed.
+  void forget(const std::vector<std::uint8_t>& changed, const Run& run);
+  // Median circumradius of the triangles at the vertex alone.
+  double own(Index vertex) const;
+  // Logarithm of a triangle's circumradius over the typical one around its corners, at most 3.
+  double log_ratio(const Triangle& triangle);
+  double spread(const Triangle& triangle);
+
+ private:
+  static constexpr int around = 16;  // nearest neighbours whose triangles count
+
+  LocalSize measure(Index vertex, std::vector<double>& radii) const;
+  void bound(Index begin, Index end);
+
+  const TriangleSet& set_;
+  const Neighbours& neighbours_;
+  std::vector<LocalSize> known_;
+  std::optional<StarLevels> levels_;  // until limits are dropped
+  double margin_ = 0;
+  UnfilledVector<float> inverse_limit_;
+  std::vector<double> radii_;
+};
+
+}  // namespace rimline
