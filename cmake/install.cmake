@@ -1,7 +1,7 @@
 # Install and export: find_package(rimline) then link rimline::rimline.
 include(CMakePackageConfigHelpers)
 install(TARGETS rimline EXPORT rimline-targets)
-install(DIRECTORY include/rimline ${CMAKE_CURRENT_BINARY_DIR}/include/rimline
+install(DIRECTORY include/rimline include/deprecated/rimline ${CMAKE_CURRENT_BINARY_DIR}/include/rimline
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(EXPORT rimline-targets NAMESPACE rimline:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/rimline)
 configure_package_config_file(cmake/rimline-config.cmake.in rimline-config.cmake

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "rimline/mesh.h"
 #include "rimline/points.h"
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <mutex>
 
-#include "random.h"
+#include "base/random.h"
 #include "sample/density.h"
 #include "sample/surface.h"
 

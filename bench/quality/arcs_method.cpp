@@ -7,8 +7,8 @@
 #include "quality/arcs.h"
 #include "quality/method.h"
 #include "rimline/arrange.h"
-#include "rimline/boundary.h"
 #include "rimline/options.h"
+#include "rimline/score_boundary.h"
 
 namespace rimline::bench {
 namespace {

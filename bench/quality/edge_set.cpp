@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "union_find.h"
+#include "base/union_find.h"
 
 namespace rimline::bench {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "union_find.h"
+#include "base/union_find.h"
 
 namespace rimline::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "random.h"
+#include "base/random.h"
 #include "rimline/arrange.h"
 
 namespace rimline::bench {

@@ -7,10 +7,10 @@
 
 #include "clouds.h"
 #include "rimline/arrange.h"
-#include "rimline/boundary.h"
 #include "rimline/boundary_loops.h"
+#include "rimline/delaunay.h"
 #include "rimline/neighbours.h"
-#include "rimline/triangulate.h"
+#include "rimline/score_boundary.h"
 
 namespace rimline::bench {
 namespace {

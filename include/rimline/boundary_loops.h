@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "rimline/boundary.h"
 #include "rimline/mesh.h"
 #include "rimline/neighbours.h"
 #include "rimline/options.h"
 #include "rimline/points.h"
 #include "rimline/report.h"
 #include "rimline/run.h"
+#include "rimline/score_boundary.h"
 
 namespace rimline {
 

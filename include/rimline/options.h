@@ -66,7 +66,7 @@ struct BoundaryLoopOptions {
   LoopPolicy loop_policy = LoopPolicy::All;
   int min_loop = 6;              // points of a loop that is returned, at least 3
   double min_probability = 0.4;  // of a loop that is returned; noise of half a spacing leaves about 0.5
-  int rim_population = 12;       // chromosomes per group of doubtful triangles
+  int rim_population = 12;       // chromosomes per group of candidate triangles
   int rim_generations = 30;      // at most; 0 decides each triangle by its own size
 };
 
@@ -174,9 +174,9 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
   field("min_probability", o.boundary_loops.min_probability, 0.0, 1.0,
         "least probability of a returned loop [ours]");
   field("rim_population", o.boundary_loops.rim_population, 2, 100'000,
-        "chromosomes per group of doubtful triangles [ours]");
+        "chromosomes per group of candidate triangles [ours]");
   field("rim_generations", o.boundary_loops.rim_generations, 0, 1'000'000,
-        "most generations of a group; 0 decides each triangle by its own size [ours]");
+        "most generations of a group; 0 decides each candidate by its size alone [ours]");
   field("domain", o.map.domain, Domain::Disc, Domain::Disc,
         "where a patch is mapped to: free is least squares conformal at real scale [ours]");
   field("map_k", o.map.map_k, 3, 1000, "neighbours per interior point in eq. (4) [ours]");

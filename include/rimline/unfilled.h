@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vectors that are not filled with zeros first. Where zeros are asked for, src/first_touch.h shares their
+// Vectors that are not filled with zeros first. Where zeros are asked for, src/base/prefault.h shares their
 // pages.
 #pragma once
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/score_boundary.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "base/parallel.h"
 #include "boundary/chi_square.h"
-#include "boundary/neighbourhood.h"
 #include "boundary/sectors.h"
-#include "parallel.h"
-#include "rimline/boundary.h"
+#include "local/neighbourhood.h"
 
 namespace rimline {
 namespace {
@@ -24,8 +25,8 @@ std::vector<double> log_score_table(int k, int sectors) {
   return table;
 }
 
-// At most k * k, the sum of k points in one sector. A point may be counted in three sectors, once less than
-// nothing, where numbers are so small that their products are rounded to zero.
+// At most k * k, the sum of k points in one sector. Where products underflow, a point may be counted in three
+// sectors, and in a fourth with -1.
 std::size_t sum_of_squares(const std::vector<Lanes>& counts, int l, int k) {
   double sum = 0;
   for (const Lanes& count : counts) sum += count[l] * count[l];

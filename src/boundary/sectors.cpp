@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "wide.h"
+#include "base/multiversioning.h"
 
 namespace rimline {
 namespace {
@@ -41,8 +41,8 @@ RIMLINE_WIDE void count_halves(const Lanes* u, const Lanes* v, std::size_t count
   }
 }
 
-// The points whose angle is that of a direction above the first axis or more, and those for which it is that of
-// the opposite direction or more. Points on the origin are counted, as none of their angle should be.
+// The points whose angle is that of a direction above the first axis or more, and those for which it is that
+// of the opposite direction or more. Points on the origin are counted, as none of their angle should be.
 RIMLINE_WIDE void count_beyond(const Lanes* u, const Lanes* v, std::size_t count, UV direction, Lanes& beyond,
                                Lanes& beyond_opposite) {
   for (int l = 0; l < lanes; ++l) {
@@ -72,7 +72,8 @@ Sectors::Sectors(int count) {
 }
 
 void Sectors::count(std::span<const Lanes> u, std::span<const Lanes> v, std::span<Lanes> counts) const {
-  // First the points in a sector or in one after it; a place for those of no sector takes what is not asked for.
+  // First the points in a sector or in one after it; counts that no sector wants go to a place of their own,
+  // which is not read.
   Lanes at_origin, half, unasked;
   count_halves(u.data(), v.data(), u.size(), at_origin, half);
   for (double& all : counts[0].number) all = static_cast<double>(u.size());

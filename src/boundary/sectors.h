@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lanes.h"
+#include "base/lanes.h"
 #include "rimline/points.h"
 
 namespace rimline {
@@ -16,13 +16,14 @@ class Sectors {
  public:
   explicit Sectors(int count);
 
-  // The number of points (u[i], v[i]) in each sector, lane by lane, of at least one point. `counts` has one entry
-  // a sector.
+  // The number of points (u[i], v[i]) in each sector, lane by lane, of at least one point. `counts` has one
+  // entry a sector.
   void count(std::span<const Lanes> u, std::span<const Lanes> v, std::span<Lanes> counts) const;
 
  private:
-  // The line through the origin along an edge, in the direction above the first axis. Where sectors are even in
-  // number both its ends are edges, where they are odd only one. That along the first axis itself is not kept.
+  // The line through the origin along an edge, in the direction above the first axis. Where sectors are even
+  // in number both its ends are edges, where they are odd only one. That along the first axis itself is not
+  // kept.
   struct Line {
     UV direction;
     int sector = 0, opposite = 0;  // that start at its ends; 0 where there is no edge

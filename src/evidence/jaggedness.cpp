@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "first_touch.h"
+#include "base/prefault.h"
 
 namespace rimline {
 namespace {

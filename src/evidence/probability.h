@@ -34,7 +34,7 @@ double loop_probability(std::size_t points, double empty_ball, double thickness)
 // around in square rows (within a tenth from 7 to 24), since not all are as narrow behind it.
 double thickness_of_opening(std::size_t points);
 
-// That a loop is no gap between one of its points and its neighbours, as density borders have them: by its
+// How surely a loop is more than the gap between a point and its neighbours at a density border: by its
 // vector area over that of a disc whose radius is the largest spacing on it. 1 from one disc on.
 double no_gap(double isoperimetric_ratio);
 

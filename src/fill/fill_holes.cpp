@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "fill/fill_rim.h"
-#include "rimline/loops.h"
+#include "rimline/find_genetic_loop.h"
 
 namespace rimline {
 namespace {
@@ -35,7 +35,7 @@ class RimEdges {
            !std::binary_search(edges_.begin(), edges_.end(), key(a, b));
   }
 
-  // What a fill made is in the way of the next.
+  // The edges of a fill are forbidden to the next one.
   void add(const std::vector<Triangle>& triangles, Index points) {
     const std::size_t before = edges_.size();
     for (const Triangle& t : triangles) {
@@ -86,7 +86,7 @@ HoleFills fill_holes(Points points, const Triangulation& mesh, const std::vector
     // Where holes touch, their rims are one, which passes the point twice with surface between.
     const bool touches = std::any_of(rim.begin(), rim.end(), [&](Index v) { return edges.is_copy(v); });
     const auto may_join = [&](Index a, Index b) { return edges.allows(rim[a], rim[b]); };
-    // A fill of more vertices than the patch itself has would be an invention.
+    // At most as many new vertices as the patch has: more would be invented surface.
     RimFill fill;
     if (!touches) fill = fill_rim(corners, sizes, points.size(), may_join, run);
     const auto corner_count = static_cast<Index>(rim.size());

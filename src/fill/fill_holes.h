@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/triangulation.h"
-#include "rimline/refine.h"
+#include "rimline/refine_surface.h"
 
 namespace rimline {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <set>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace rimline::io {
 namespace {

@@ -2,14 +2,10 @@
 // Text, line by line and value by value.
 #pragma once
 
-#include <fast_float/fast_float.h>
-
-#include <charconv>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <string_view>
-#include <type_traits>
+
+#include "base/parse.h"
 
 namespace rimline::io {
 
@@ -24,36 +20,6 @@ inline std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (is_blank(text.front()) || text.front() == '\r')) text.remove_prefix(1);
   while (!text.empty() && (is_blank(text.back()) || text.back() == '\r')) text.remove_suffix(1);
   return text;
-}
-
-// Reads one number, exactly rounded; a sign + and nan, inf, infinity in any case are accepted. Returns the
-// place after it, or nullptr where there is none.
-template <class T>
-const char* read_number(const char* at, const char* end, T& value) {
-  if (at < end && *at == '+') {
-    ++at;
-    if (at < end && (*at == '-' || *at == '+')) return nullptr;
-  }
-  if (at >= end) return nullptr;
-  if constexpr (std::is_floating_point_v<T>) {
-    const auto result = fast_float::from_chars(at, end, value);
-    // Too large is infinite and too small is zero: the value that fits best.
-    return result.ec == std::errc::invalid_argument ? nullptr : result.ptr;
-  } else {
-    const auto result = std::from_chars(at, end, value);
-    const bool whole =
-        result.ec == std::errc() &&
-        (result.ptr == end || (*result.ptr != '.' && *result.ptr != 'e' && *result.ptr != 'E'));
-    if (whole) return result.ptr;
-    double real = 0;  // "255.0" where an integer was announced
-    const char* after = read_number(at, end, real);
-    if (after == nullptr || real != std::floor(real)) return nullptr;
-    // The bounds are exact powers of two, or one below; 2^digits excludes what rounds up.
-    const double limit = std::ldexp(1.0, std::numeric_limits<T>::digits);
-    if (!(real >= static_cast<double>(std::numeric_limits<T>::min()) && real < limit)) return nullptr;
-    value = static_cast<T>(real);
-    return after;
-  }
 }
 
 // The values of one line, parted by blanks.

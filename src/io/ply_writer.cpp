@@ -4,8 +4,8 @@
 #include <cstring>
 #include <string>
 
+#include "base/parallel.h"
 #include "io/writers.h"
-#include "parallel.h"
 
 namespace rimline::io {
 namespace {

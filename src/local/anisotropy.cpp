@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "local/frame.h"
-#include "parallel.h"
 
 namespace rimline {
 namespace {

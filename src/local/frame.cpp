@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include "boundary/neighbourhood.h"
-#include "boundary/principal_axes.h"
-#include "first_touch.h"
-#include "parallel.h"
-#include "wide.h"
+#include "base/multiversioning.h"
+#include "base/parallel.h"
+#include "base/prefault.h"
+#include "local/neighbourhood.h"
+#include "local/principal_axes.h"
 
 namespace rimline {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "local/frame.h"
 #include "local/irregularity.h"
 #include "local/ramp.h"
-#include "parallel.h"
 
 namespace rimline {
 namespace {

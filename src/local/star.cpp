@@ -9,8 +9,8 @@
 #include <cstring>
 #include <utility>
 
-#include "parallel.h"
-#include "random.h"
+#include "base/parallel.h"
+#include "base/random.h"
 
 namespace rimline {
 namespace {

@@ -51,8 +51,8 @@ class Descent {
     return std::move(uv_);
   }
 
-  // Triangulates what lies outside of the loops. Its triangles are content with their shape of now, and weigh
-  // `weight` together. False where loops cross.
+  // Triangulates the region outside of the loops. These triangles have their present shape as rest shape, and
+  // their weights add up to `weight`. False where loops cross.
   bool surround(double weight) {
     place_box();
     std::vector<Index> ids;
@@ -159,7 +159,7 @@ class Descent {
     }
     Matrix lower(n, n);
     lower.setFromTriplets(entries_.begin(), entries_.end());
-    // A little of the diagonal more: all may turn, grow and move without any change of the surface's energy.
+    // Damped on the diagonal: similarities leave the energy of the surface unchanged, so it is singular.
     constexpr double little = 1e-9;
     for (Index i = 0; i < n; ++i) {
       double& d = lower.coeffRef(i, i);
@@ -210,7 +210,7 @@ double conformal_distortion(Points points, const Triangulation& mesh, const std:
 int relax_conformally(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
                       std::vector<UV>& uv, const Run& run) {
   constexpr int most_steps = 100, look_back = 5;
-  constexpr double settled = 0.05;  // of what the energy has above that of no distortion
+  constexpr double settled = 0.05;  // of the energy in excess of that without distortion
   constexpr double outside = 0.01;  // of the same, for what lies outside
   Descent descent(points, mesh, loops, uv);
   double least = 0;  // the energy if there were no distortion

@@ -14,12 +14,12 @@ namespace rimline {
 // infinite where a triangle is turned over.
 double conformal_distortion(Points points, const Triangulation& mesh, const std::vector<UV>& uv);
 
-// Lets go the outline of a map that turns no triangle over and whose loops neither cross nor touch, and
-// descends towards the least conformal distortion (conformal_energy.h) by Newton's method. On the way no
-// triangle turns, and the loops stay as clear of each other and of themselves: what lies outside of the
-// surface is triangulated at each step and must not turn either (Jiang, Schaefer, Panozzo 2017, "Simplicial
-// complex augmentation framework for bijective maps"). `uv` has one entry per point. Returns how many steps
-// were made; 0 where it was such a map not, or none was found.
+// Releases the outline of a map and descends by Newton's method towards the least conformal distortion
+// (conformal_energy.h). The map must be free of flips, and its loops must neither cross nor touch. Both stay
+// so: the region outside of the surface is triangulated at each step and may not flip (Jiang, Schaefer,
+// Panozzo 2017, "Simplicial complex augmentation framework for bijective maps"). `uv` has one entry per
+// point. Returns the number of steps. It is 0 if the map does not meet these conditions, or if no step lowers
+// the energy.
 int relax_conformally(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
                       std::vector<UV>& uv, const Run& run);
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "rimline/refine.h"
+#include "rimline/refine_surface.h"
 
 namespace rimline {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "map/graph.h"
 #include "map/mesh_system.h"
-#include "parallel.h"
 
 namespace rimline {
 namespace {

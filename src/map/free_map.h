@@ -10,7 +10,7 @@
 namespace rimline {
 
 // Least squares conformal map (Levy, Petitjean, Ray, Maillot 2002; as Dirichlet energy less area: Desbrun,
-// Meyer, Alliez 2002) of a mesh with any number of boundary loops. Weights of inner edges are not let below
+// Meyer, Alliez 2002) of a mesh with any number of boundary loops. Weights of inner edges are at least
 // `least` >= 0: each inner point is a convex combination of its neighbours, and hardly any triangle turns
 // over. None is below zero where the opposite-angle rule holds, so that with 0 the map is then the exact one.
 // The outline may cross itself, and holes may turn inside out. `uv` gets one entry per point; its scale is

@@ -36,7 +36,7 @@ struct HalfEdge {
   double weight;
 };
 
-// Sorts a short row by id and adds up what names the same node. Equal ids keep their order, so that the sums
+// Sorts a short row by id and adds up entries of the same node. Equal ids keep their order, so that the sums
 // do not depend on the sort. Returns how many entries are left.
 Index merge_row(HalfEdge* row, Index count) {
   if (count > 64) {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "map/weights.h"
-#include "parallel.h"
 
 namespace rimline {
 namespace {

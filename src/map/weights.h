@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "local/voronoi_stars.h"
 #include "map/graph.h"
-#include "map/stars.h"
 #include "mesh/triangulation.h"
 
 namespace rimline {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.h"
 #include "mesh/corner_angles.h"
-#include "parallel.h"
 #include "rimline/measure.h"
 
 namespace rimline {

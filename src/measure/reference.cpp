@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.h"
 #include "measure/triangle_tree.h"
 #include "mesh/edges.h"
-#include "parallel.h"
 #include "rimline/measure.h"
 
 namespace rimline {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "measure/triangle_tree.h"
 #include "measure/triangles_meet.h"
-#include "parallel.h"
 #include "rimline/measure.h"
 
 namespace rimline {
@@ -12,8 +12,8 @@ namespace {
 
 using Pair = std::array<Index, 2>;
 
-// Whether a plane plainly parts the two triangles, but for vertices that they share: true for nearly all
-// neighbours, and cheap. The margin covers the rounding of the products.
+// Whether a plane separates the two triangles by more than rounding, except at vertices that they share: true
+// for nearly all neighbours, and cheap. The margin covers the rounding of the products.
 bool plainly_apart(Points points, const Triangle& s, const Triangle& t) {
   constexpr double margin = 1e-14;  // of the cosine: far above what rounding does
   Index shared = none;

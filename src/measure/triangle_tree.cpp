@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "first_touch.h"
-#include "parallel.h"
-#include "select.h"
+#include "base/parallel.h"
+#include "base/prefault.h"
+#include "base/select.h"
 
 namespace rimline {
 

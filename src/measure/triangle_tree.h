@@ -22,7 +22,7 @@ struct Box {
       high[i] = std::max(high[i], other.high[i]);
     }
   }
-  // Without branches between the sides: which of them parts two boxes can not be guessed.
+  // Without branches between the sides: which of them separates two boxes can not be predicted.
   bool meets(const Box& other) const {
     bool meets = true;
     for (int i = 0; i < 3; ++i) meets &= (low[i] <= other.high[i]) & (other.low[i] <= high[i]);
@@ -54,7 +54,7 @@ class TriangleTree {
   const Box& box(Index triangle) const { return boxes_[triangle]; }
 
  private:
-  // A triangle while the tree is built: side by side they are told apart faster than by way of their ids.
+  // A triangle while the tree is built: values side by side are compared faster than through ids.
   struct Item {
     std::array<double, 3> place;  // the middle of its box, twice
     Index triangle;

@@ -48,7 +48,7 @@ class RingTable {
   }
 
   double cost_of(Index a, Index b, Index c) const {
-    constexpr double shorter = 1e-3;  // what settles a tie must not outweigh an overlap
+    constexpr double shorter = 1e-3;  // settles ties; small, so that it never outweighs an overlap
     const Point p = points_[a], q = points_[b], r = points_[c];
     return 0.5 * norm(cross(q - p, r - p)) +
            shorter * (squared_distance(p, q) + squared_distance(q, r) + squared_distance(r, p));

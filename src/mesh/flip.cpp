@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/parallel.h"
 #include "mesh/cotangent.h"
-#include "parallel.h"
 
 namespace rimline {
 namespace {

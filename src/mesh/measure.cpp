@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.h"
+#include "base/union_find.h"
 #include "mesh/corner_angles.h"
-#include "parallel.h"
-#include "union_find.h"
 
 namespace rimline {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <utility>
 
-#include "rimline/triangulate.h"
+#include "rimline/delaunay.h"
 
 namespace rimline {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "rimline/loops.h"
+#include "rimline/find_genetic_loop.h"
 
 namespace rimline::pipeline {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/mapped_mesh.h"
-#include "rimline/refine.h"
+#include "rimline/refine_surface.h"
 
 namespace rimline::pipeline {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "rimline/loops.h"
+#include "rimline/find_genetic_loop.h"
 
 namespace rimline::pipeline {
 namespace {

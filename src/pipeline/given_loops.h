@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "pipeline/prepare.h"
-#include "rimline/boundary.h"
 #include "rimline/boundary_loops.h"
+#include "rimline/score_boundary.h"
 
 namespace rimline::pipeline {
 

@@ -8,7 +8,7 @@
 #include "pipeline/filled_holes.h"
 #include "pipeline/given_loops.h"
 #include "pipeline/orientation.h"
-#include "rimline/refine.h"
+#include "rimline/refine_surface.h"
 
 namespace rimline::pipeline {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "pipeline/mapped_mesh.h"
 #include "pipeline/prepare.h"
-#include "rimline/boundary.h"
 #include "rimline/boundary_loops.h"
+#include "rimline/score_boundary.h"
 
 namespace rimline::pipeline {
 

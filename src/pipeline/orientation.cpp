@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "map/pack.h"
-#include "rimline/triangulate.h"
+#include "patch/pack.h"
+#include "rimline/delaunay.h"
 
 namespace rimline::pipeline {
 namespace {

@@ -7,9 +7,9 @@
 #include "pipeline/given_loops.h"
 #include "pipeline/method.h"
 #include "pipeline/orientation.h"
-#include "rimline/loops.h"
-#include "rimline/parameterize.h"
-#include "rimline/triangulate.h"
+#include "rimline/delaunay.h"
+#include "rimline/find_genetic_loop.h"
+#include "rimline/map_to_disc.h"
 
 namespace rimline::pipeline {
 namespace {

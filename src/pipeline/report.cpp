@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "pipeline/score.h"
 
 namespace rimline::pipeline {

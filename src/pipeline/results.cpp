@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "rimline/unfilled.h"
 
 namespace rimline::pipeline {

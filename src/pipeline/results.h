@@ -6,7 +6,7 @@
 
 #include "pipeline/method.h"
 #include "pipeline/prepare.h"
-#include "rimline/boundary.h"
+#include "rimline/score_boundary.h"
 
 namespace rimline::pipeline {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "morton.h"
+#include "points/morton.h"
 
 namespace rimline::pipeline {
 namespace {

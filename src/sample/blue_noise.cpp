@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "random.h"
+#include "base/random.h"
 #include "sample/draft.h"
 #include "sample/point_grid.h"
 #include "sample/rim.h"

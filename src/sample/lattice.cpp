@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "random.h"
+#include "base/random.h"
 #include "sample/draft.h"
 #include "sample/rim.h"
 

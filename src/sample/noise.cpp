@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "random.h"
+#include "base/random.h"
 #include "rimline/neighbours.h"
 
 namespace rimline {

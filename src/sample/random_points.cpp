@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "random.h"
+#include "base/random.h"
 #include "sample/draft.h"
 #include "sample/rim.h"
 

@@ -6,7 +6,7 @@
 #include <new>
 #include <string>
 
-#include "random.h"
+#include "base/random.h"
 #include "sample/draft.h"
 #include "sample/noise.h"
 #include "sample/rim.h"

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace rimline {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace rimline {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "search/fitness.h"
 #include "search/groups.h"
 #include "search/search_options.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "search/groups.h"
 
-#include "union_find.h"
+#include "base/union_find.h"
 
 namespace rimline {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "parallel.h"
-#include "random.h"
+#include "base/parallel.h"
+#include "base/random.h"
 #include "search/group_search.h"
 
 namespace rimline {

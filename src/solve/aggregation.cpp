@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "solve/balance.h"
 #include "solve/blocks.h"
 #include "solve/groups.h"

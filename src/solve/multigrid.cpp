@@ -7,75 +7,16 @@
 #include <cmath>
 #include <utility>
 
-#include "first_touch.h"
-#include "parallel.h"
+#include "base/parallel.h"
+#include "base/prefault.h"
 #include "solve/blocks.h"
+#include "solve/sweeps.h"
 
 namespace rimline {
 namespace {
 
 constexpr Index coarsest_size = 300;  // small enough for a dense factor: 9 million operations
 constexpr double strong = 0.08;       // of sqrt(a_ii a_jj), halved on each level (Vanek et al., section 5.1)
-
-void compute_residual(const SymmetricMatrix& a, const UV* b, const UV* x, UV* r) {
-  for_each_block(a.size(), [&](Index, Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) r[i] = b[i] - a.diagonal[i] * x[i] - a.off_diagonal(i, x);
-  });
-}
-
-// One forward Gauss-Seidel sweep inside each block, from x = 0: what lies outside the block or above the
-// diagonal is still 0.
-void sweep_forward(const SymmetricMatrix& a, const std::vector<double>& inverse, const UV* b, UV* x) {
-  for_each_block(a.size(), [&](Index, Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      UV sum = b[i];
-      for (Index e = a.offsets[i]; e < a.offsets[i + 1] && a.columns[e] < i; ++e) {
-        if (a.columns[e] >= begin) sum = sum - a.values[e] * x[a.columns[e]];
-      }
-      x[i] = inverse[i] * sum;
-    }
-  });
-}
-
-// The residual right after sweep_forward: what the sweep has seen cancels.
-void residual_after_forward(const SymmetricMatrix& a, const UV* x, UV* r) {
-  for_each_block(a.size(), [&](Index, Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      UV sum;
-      Index e = a.offsets[i + 1] - 1;
-      for (; e >= a.offsets[i] && a.columns[e] > i; --e) sum = sum - a.values[e] * x[a.columns[e]];
-      for (Index f = a.offsets[i]; f <= e && a.columns[f] < begin; ++f)
-        sum = sum - a.values[f] * x[a.columns[f]];
-      r[i] = sum;
-    }
-  });
-}
-
-// One backward sweep inside each block, in place: the adjoint of sweep_forward, so that the cycle is
-// symmetric. What lies outside the block is read as it was before, into `outside`.
-void sweep_backward(const SymmetricMatrix& a, const std::vector<double>& inverse, const UV* b, UV* outside,
-                    UV* x) {
-  for_each_block(a.size(), [&](Index, Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      UV sum = b[i];
-      Index e = a.offsets[i];
-      for (; e < a.offsets[i + 1] && a.columns[e] < begin; ++e) sum = sum - a.values[e] * x[a.columns[e]];
-      for (Index f = a.offsets[i + 1] - 1; f >= e && a.columns[f] >= end; --f)
-        sum = sum - a.values[f] * x[a.columns[f]];
-      outside[i] = sum;
-    }
-  });
-  for_each_block(a.size(), [&](Index, Index begin, Index end) {
-    for (Index i = end - 1; i >= begin; --i) {
-      UV sum = outside[i];
-      for (Index e = a.offsets[i]; e < a.offsets[i + 1]; ++e) {
-        const Index j = a.columns[e];
-        if (j >= begin && j < end) sum = sum - a.values[e] * x[j];
-      }
-      x[i] = inverse[i] * sum;
-    }
-  });
-}
 
 // Rows of a matrix that blocks of rows have found side by side.
 struct Part {
@@ -189,7 +130,7 @@ std::vector<Index> Multigrid::aggregate(const SymmetricMatrix& a, double thresho
 }
 
 // P = (I - w D^-1 A) T, T the aggregates' indicator. Weak entries of A count to its diagonal. w = 0.9,
-// by trial (docs/profile.md); the spectrum of D^-1 A reaches at most 2, so that any w below 1 damps.
+// by trial (docs/lab); the spectrum of D^-1 A reaches at most 2, so that any w below 1 damps.
 Multigrid::Prolongation Multigrid::smooth(const SymmetricMatrix& a, const std::vector<Index>& aggregates,
                                           double threshold) const {
   constexpr double omega = 0.9;

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "rimline/unfilled.h"
 
 namespace rimline {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "first_touch.h"
+#include "base/prefault.h"
 #include "rimline/neighbours.h"
 #include "rimline/run.h"
 #include "rimline/unfilled.h"

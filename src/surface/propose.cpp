@@ -11,8 +11,8 @@
 #include <queue>
 #include <tuple>
 
-#include "first_touch.h"
-#include "parallel.h"
+#include "base/parallel.h"
+#include "base/prefault.h"
 
 namespace rimline {
 namespace {

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "parallel.h"
-#include "rimline/triangulate.h"
+#include "base/parallel.h"
+#include "rimline/delaunay.h"
 
 namespace rimline {
 namespace {

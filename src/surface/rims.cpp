@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace rimline {
 namespace {

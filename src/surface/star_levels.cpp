@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace rimline {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 
-#include "first_touch.h"
-#include "kept_items.h"
-#include "parallel.h"
+#include "base/compaction.h"
+#include "base/parallel.h"
+#include "base/prefault.h"
 
 namespace rimline {
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/score_boundary.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -7,10 +9,9 @@
 #include <utility>
 
 #include "boundary/chi_square.h"
-#include "boundary/neighbourhood.h"
 #include "boundary/sectors.h"
 #include "boundary/simple.h"
-#include "rimline/boundary.h"
+#include "local/neighbourhood.h"
 #include "shapes.h"
 
 namespace rimline {
@@ -38,8 +39,10 @@ PrincipalAxes axes_about_first(const std::vector<Point>& points) {
   return axes.of(0);
 }
 
-// By the arithmetic of lanes, point by point: sums over even and odd neighbours, all else one after the other.
-BoundaryScores scores_one_by_one(Points points, const Neighbours& neighbours, const BoundaryOptions& options) {
+// By the arithmetic of lanes, point by point: sums over even and odd neighbours, all else one after the
+// other.
+BoundaryScores scores_one_by_one(Points points, const Neighbours& neighbours,
+                                 const BoundaryOptions& options) {
   BoundaryScores scores;
   const int k = neighbours.k;
   const Sectors sectors(options.sectors);
@@ -100,7 +103,8 @@ TEST_CASE("every rim point of an even disc is a candidate and its centre is not"
 }
 
 TEST_CASE("the axes of a flat cross are known: eigenvalues, directions, share") {
-  const PrincipalAxes axes = axes_about_first({{1, 1, 5}, {1, 1, 5}, {4, 1, 5}, {-2, 1, 5}, {1, 2, 5}, {1, 0, 5}});
+  const PrincipalAxes axes =
+      axes_about_first({{1, 1, 5}, {1, 1, 5}, {4, 1, 5}, {-2, 1, 5}, {1, 2, 5}, {1, 0, 5}});
   CHECK(axes.lambda[0] == doctest::Approx(0));
   CHECK(axes.lambda[1] == doctest::Approx(2));
   CHECK(axes.lambda[2] == doctest::Approx(18));
@@ -208,7 +212,9 @@ TEST_CASE("scores are those of the test done the long way") {
   }
 }
 
-TEST_CASE("lanes change no byte: not on grids, whose points lie on edges of sectors, nor where some are left over") {
+TEST_CASE(
+    "lanes change no byte: not on grids, whose points lie on edges of sectors, nor where some are left "
+    "over") {
   std::vector<Point> grid;
   for (int i = 0; i < 1003; ++i) grid.push_back({0.5 * (i % 30), 0.25 * (i / 30), 0});
   auto bent = shapes::turned(grid, 0.3, 0.5, 0.7);
@@ -255,7 +261,8 @@ TEST_CASE("eq. (2) as printed is 1 / p and never overflows; its log form is -log
   CHECK(p_value(std::log(20.0)) == doctest::Approx(0.05));
 }
 
-TEST_CASE("a neighbour at the least distance there is does not lift the score above that of all in one sector") {
+TEST_CASE(
+    "a neighbour at the least distance there is does not lift the score above that of all in one sector") {
   // Seen from the first point all others are within one of 13 sectors but for one, beside it, whose image has
   // the smallest number that is not zero for a coordinate and is counted in that sector and in two more.
   constexpr double tiny = std::numeric_limits<double>::denorm_min();

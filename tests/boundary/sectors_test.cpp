@@ -8,8 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "base/random.h"
 #include "boundary/simple.h"
-#include "random.h"
 
 namespace rimline {
 namespace {

@@ -39,7 +39,7 @@ std::vector<std::string> between(const std::string& line, char mark) {
   return parts;
 }
 
-// Paths such as src/map/refine.cpp.
+// Paths such as src/patch/refine.cpp.
 std::vector<std::string> paths_in(const std::string& line) {
   std::vector<std::string> paths;
   for (const std::string folder : {"src/", "tests/", "include/"}) {

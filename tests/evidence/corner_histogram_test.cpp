@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "random.h"
+#include "base/random.h"
 #include "surface/proposed.h"
 
 using namespace rimline;

@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "random.h"
+#include "base/random.h"
 
 namespace rimline {
 namespace {

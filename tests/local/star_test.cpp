@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "surface/propose.h"
 
 using namespace rimline;

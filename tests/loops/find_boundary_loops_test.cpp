@@ -7,10 +7,10 @@
 #include <numeric>
 #include <set>
 
-#include "random.h"
+#include "base/random.h"
 #include "rimline/arrange.h"
 #include "rimline/boundary_loops.h"
-#include "rimline/loops.h"
+#include "rimline/find_genetic_loop.h"
 #include "rimline/sample.h"
 
 using namespace rimline;

@@ -9,7 +9,7 @@
 #include "map/embed.h"
 #include "map/free_map.h"
 #include "map/outline_crossings.h"
-#include "rimline/refine.h"
+#include "rimline/refine_surface.h"
 
 namespace rimline {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cstring>
 
+#include "base/random.h"
 #include "map/weights.h"
-#include "random.h"
-#include "rimline/refine.h"
+#include "rimline/refine_surface.h"
 #include "rimline/sample.h"
 
 namespace rimline {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "random.h"
+#include "base/random.h"
 #include "rimline/measure.h"
 #include "rimline/run.h"
 

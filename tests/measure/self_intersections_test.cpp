@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
+#include "base/random.h"
 #include "measure/triangles_meet.h"
-#include "random.h"
 #include "rimline/measure.h"
 #include "shapes.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "random.h"
+#include "base/random.h"
 
 namespace rimline {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/delaunay.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "random.h"
-#include "rimline/triangulate.h"
+#include "base/random.h"
 
 namespace rimline {
 namespace {

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <set>
 
+#include "base/random.h"
 #include "mesh/insert.h"
 #include "mesh/quality.h"
-#include "random.h"
 
 namespace rimline {
 namespace {

@@ -8,8 +8,8 @@
 #include <random>
 #include <set>
 
+#include "base/union_find.h"
 #include "mesh/edges.h"
-#include "union_find.h"
 
 namespace rimline {
 namespace {

@@ -7,10 +7,6 @@ function(must)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-# Built from its sources, the library is not optimised here: that it builds is what is looked at.
-if(WAY STREQUAL "add_subdirectory")
-  set(CONFIG "")
-endif()
 set(options -G Ninja -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_COMPILER=${COMPILER}
   -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D WAY=${WAY})
 if(SANITIZE)
@@ -20,7 +16,8 @@ if(WAY STREQUAL "find_package")
   must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
   list(APPEND options -D CMAKE_PREFIX_PATH=${WORK}/prefix)
 else()
-  list(APPEND options -D RIMLINE_SOURCE=${SOURCE})
+  # With the flags of the build that is tested, so that ccache has all objects of the library already.
+  list(APPEND options -D RIMLINE_SOURCE=${SOURCE} -D RIMLINE_WARNINGS_AS_ERRORS=${WARNINGS_AS_ERRORS})
 endif()
 must(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/stranger -B ${WORK}/build ${options})
 must(${CMAKE_COMMAND} --build ${WORK}/build --target stranger)

@@ -7,9 +7,9 @@
 #include <numeric>
 #include <vector>
 
+#include "base/random.h"
 #include "local/frame.h"
 #include "local/star.h"
-#include "random.h"
 #include "rimline/neighbours.h"
 #include "surface/propose.h"
 

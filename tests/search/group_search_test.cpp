@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "surface/proposed.h"
 
 using namespace rimline;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 
 using namespace rimline;
 

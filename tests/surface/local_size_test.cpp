@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "surface/order_statistics.h"
 #include "surface/proposed.h"
 #include "surface/star_levels.h"

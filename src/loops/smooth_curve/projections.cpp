@@ -11,7 +11,7 @@
 #include <span>
 #include <tuple>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace rimline {
 namespace {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From points to a mesh that ends at the boundary of their surface.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rimline/find_boundary.h"
+#include "rimline/measure.h"
+
+namespace rimline {
+
+// Loops of holes that were filled are no loops of the result, and their points are not on the boundary.
+struct ReconstructResult {
+  BoundaryResult boundary;
+  std::vector<Point> added;  // vertices that fills have of their own; their ids follow those of the input
+  std::vector<UV> uv;        // per point and added one; patches side by side where there are several
+  std::vector<Triangle> triangles;
+  std::vector<Index> patch;          // likewise, or `none`; empty in the paper's presets
+  std::vector<std::uint8_t> filled;  // per triangle, 1 where it closes a hole; empty in the paper's presets
+  Distortion distortion;             // per triangle, and per point and added one
+};
+
+// The whole method. Throws as parameterize does.
+ReconstructResult reconstruct(Points points, const Options& options, const Run& run, const Given& given = {});
+
+}  // namespace rimline

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/memory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rimline {
+namespace {
+
+// Bytes per point, measured at a million points and rounded up by a tenth (docs/memory.md).
+constexpr double arrange_bytes = 100;
+constexpr double neighbours_bytes = 130;
+constexpr double boundary_bytes = 100;
+constexpr double survey_bytes = 440;       // frames, stars, triangles
+constexpr double loops_bytes = 440;        // these, and the search
+constexpr double paper_loops_bytes = 150;  // closed paths and chromosomes are small beside them
+constexpr double refine_bytes = 780;       // mesh, system, multigrid
+constexpr double measure_bytes = 500;
+constexpr double solve_bytes = 500, solve_neighbour_bytes = 95;  // of eq. (4), and of its solver's vectors
+constexpr double triangulate_bytes = 250;
+constexpr double factor_bytes = 230;  // of the system of a free map and its factor, times log2 of the points
+constexpr double fixed_bytes = 32e6;  // the program itself
+constexpr double neighbour_bytes = sizeof(Index);
+
+std::string gigabytes(double bytes) { return fmt::format("{:.3g} GB", bytes / 1e9); }
+
+}  // namespace
+
+std::vector<StageMemory> estimate_memory(std::size_t points, const Options& options) {
+  const double n = static_cast<double>(points);
+  const double lists = neighbour_bytes * most_neighbours(options);
+  std::vector<StageMemory> stages;
+  const auto add = [&](Stage stage, double bytes_per_point) {
+    stages.push_back({stage, static_cast<std::size_t>(fixed_bytes + n * bytes_per_point)});
+  };
+  add(Stage::Arrange, arrange_bytes);
+  add(Stage::Neighbours, neighbours_bytes + lists);
+  add(Stage::Boundary, boundary_bytes + lists);
+  if (options.preset != Preset::Default) {
+    add(Stage::Loops, paper_loops_bytes + lists);
+    add(Stage::Parameterize, solve_bytes + lists + solve_neighbour_bytes * options.map.map_k);
+    add(Stage::Triangulate, triangulate_bytes + lists);
+  } else {
+    const double factor = options.map.domain == Domain::Free ? factor_bytes * std::log2(n + 2) : 0;
+    add(Stage::Survey, survey_bytes + lists);
+    add(Stage::Loops, loops_bytes + lists);
+    add(Stage::Refine, refine_bytes + lists + factor);
+  }
+  add(Stage::Measure, measure_bytes + lists);
+  return stages;
+}
+
+void check_memory(std::size_t points, const Options& options, Stage last, const Run& run) {
+  if (run.memory_limit == 0) return;
+  std::vector<StageMemory> stages = estimate_memory(points, options);
+  std::erase_if(stages, [&](const StageMemory& s) { return s.stage > last; });
+  if (stages.empty()) return;
+  const StageMemory& most =
+      *std::max_element(stages.begin(), stages.end(),
+                        [](const StageMemory& a, const StageMemory& b) { return a.bytes < b.bytes; });
+  if (most.bytes <= run.memory_limit) return;
+  throw Error(
+      ErrorCode::OutOfMemory,
+      fmt::format("{} points need about {} (at the stage {}), the limit is {}; raise the limit or thin "
+                  "the cloud",
+                  points, gigabytes(static_cast<double>(most.bytes)), name(most.stage),
+                  gigabytes(static_cast<double>(run.memory_limit))));
+}
+
+}  // namespace rimline

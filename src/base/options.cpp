@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/options.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/parse.h"
+#include "rimline/run.h"
+
+namespace rimline {
+
+const char* name(Preset preset) {
+  switch (preset) {
+    case Preset::Default: return "default";
+    case Preset::Paper: return "paper";
+    case Preset::PaperLog: return "paper-log";
+  }
+  return "?";
+}
+
+const char* name(ScoreForm form) { return form == ScoreForm::Printed ? "printed" : "log"; }
+
+const char* name(LoopPolicy policy) {
+  switch (policy) {
+    case LoopPolicy::All: return "all";
+    case LoopPolicy::Outer: return "outer";
+    case LoopPolicy::Largest: return "largest";
+  }
+  return "?";
+}
+
+const char* name(Domain domain) {
+  switch (domain) {
+    case Domain::Disc: return "disc";
+    case Domain::Square: return "square";
+    case Domain::Rectangle: return "rectangle";
+    case Domain::Free: return "free";
+  }
+  return "?";
+}
+
+int most_neighbours(const Options& options) {
+  constexpr int spacing_k = 6;  // of local_spacing()
+  return std::max({options.boundary.k, options.loops.path_k, options.map.map_k, spacing_k});
+}
+
+std::string name(const HolePolicy& holes) {
+  if (!holes.fill) return "keep";
+  if (holes.most_points > 0) return fmt::format("fill:{}", holes.most_points);
+  if (holes.most_length > 0) return fmt::format("fill:{}u", holes.most_length);
+  return "fill";
+}
+
+HolePolicy parse_holes(std::string_view text) {
+  const auto refuse = [&]() -> HolePolicy {
+    throw Error(ErrorCode::BadOption,
+                fmt::format("holes is '{}'; it must be keep, fill, fill:POINTS (a whole number of points on "
+                            "the rim, as in fill:30) or fill:LENGTHu (the rim's length in units of the "
+                            "input, as in fill:2.5u)",
+                            text));
+  };
+  constexpr std::string_view most = "fill:";
+  if (text == "keep") return {};
+  if (text == "fill") return {.fill = true};
+  if (!text.starts_with(most)) return refuse();
+  HolePolicy holes{.fill = true};
+  const char* from = text.data() + most.size();
+  const char* end = text.data() + text.size();
+  const bool is_length = end > from && end[-1] == 'u';
+  if (is_length) {
+    const char* after = read_number(from, --end, holes.most_length);
+    if (after != end || !std::isfinite(holes.most_length) || !(holes.most_length > 0)) return refuse();
+  } else if (read_number(from, end, holes.most_points) != end || holes.most_points < 3) {
+    return refuse();
+  }
+  return holes;
+}
+
+Options preset_options(Preset preset) {
+  Options options;
+  options.preset = preset;
+  options.loops.score_form = preset == Preset::Paper ? ScoreForm::Printed : ScoreForm::Log;
+  return options;
+}
+
+void check_options(const Options& options) {
+  visit_fields(options, []<class T>(const Field<T>& field) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      if (field.value >= field.least && field.value <= field.most) return;  // false for NaN too
+      throw Error(ErrorCode::BadOption, fmt::format("{} is {}; it must lie between {} and {}", field.name,
+                                                    field.value, field.least, field.most));
+    }
+  });
+  if (!is_finite(options.mesh.up) || norm(options.mesh.up) == 0) {
+    throw Error(ErrorCode::BadOption, "up must be a finite vector other than zero");
+  }
+}
+
+}  // namespace rimline

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parallel loops whose result does not depend on the number of threads: item i writes slot i, nothing else.
+#pragma once
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include "base/threads.h"
+#include "rimline/run.h"
+
+namespace rimline {
+
+// Calls body(begin, end) over slices of [0, count). Progress is reported by the thread that called, between
+// batches of slices; a cancelled run throws Error{Cancelled} there. `grain` is the number of items in one
+// task, which should be long enough to hide its cost.
+template <class Body>
+void parallel_slices(std::size_t count, Stage stage, const Run& run, const Body& body,
+                     std::size_t grain = 1024) {
+  const std::size_t batch = 256 * grain;  // items between two looks at progress and cancel
+  tbb::task_arena arena(thread_count(run));
+  for (std::size_t first = 0; first < count; first += batch) {
+    run.progress(stage, first, count);
+    const std::size_t last = std::min(count, first + batch);
+    arena.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, grain), [&](const auto& range) {
+        if (!run.cancelled()) body(range.begin(), range.end());
+      });
+    });
+  }
+  run.progress(stage, count, count);
+}
+
+// Calls body(k) for every k in [0, count): few tasks, each long enough for a thread of its own.
+template <class Body>
+void parallel_tasks(std::size_t count, Stage stage, const Run& run, const Body& body) {
+  run.progress(stage, 0, count);
+  tbb::task_arena arena(thread_count(run));
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+      if (!run.cancelled()) body(k);
+    });
+  });
+  run.progress(stage, count, count);
+}
+
+// Calls body(i) for every i in [0, count).
+template <class Body>
+void parallel_for_each(std::size_t count, Stage stage, const Run& run, const Body& body) {
+  parallel_slices(count, stage, run, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(static_cast<Index>(i));
+  });
+}
+
+// What the calls of body(i, found) append to `found`, for i from 0 to count - 1, in this order. `grain` is
+// the number of items in one task.
+template <class Item, class Body>
+std::vector<Item> parallel_gather(std::size_t count, Stage stage, const Run& run, const Body& body,
+                                  std::size_t grain = 4096) {
+  std::vector<std::vector<Item>> found((count + grain - 1) / grain);
+  parallel_slices(
+      found.size(), stage, run,
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t s = first; s < last; ++s) {
+          const std::size_t end = std::min(count, (s + 1) * grain);
+          for (std::size_t i = s * grain; i < end; ++i) body(static_cast<Index>(i), found[s]);
+        }
+      },
+      1);
+  std::size_t total = 0;
+  for (const auto& items : found) total += items.size();
+  std::vector<Item> all;
+  all.reserve(total);
+  for (const auto& items : found) all.insert(all.end(), items.begin(), items.end());
+  return all;
+}
+
+}  // namespace rimline

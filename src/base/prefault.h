@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Memory that all threads ask the system for together. A large array is otherwise handed out page by page to
+// the one thread that fills it with zeros, which takes longer than to compute what goes there.
+#pragma once
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "base/parallel.h"
+
+namespace rimline {
+
+// The same as items.resize(count) for an empty vector, with room for `more` items after these.
+template <class T>
+void resize_together(std::vector<T>& items, std::size_t count, const Run& run, std::size_t more = 0) {
+  constexpr std::size_t page = 4096, block_size = std::size_t{1} << 21;
+  items.reserve(count + more);
+  char* const first = reinterpret_cast<char*>(items.data());
+  const std::size_t bytes = count * sizeof(T);
+  if (bytes >= 4 * block_size) {
+    tbb::task_arena(thread_count(run)).execute([&] {
+      tbb::parallel_for(std::size_t{0}, bytes / block_size, [&](std::size_t block) {
+        char* const from = first + block * block_size;
+        for (std::size_t i = 0; i < block_size; i += page) *static_cast<volatile char*>(from + i) = 0;
+      });
+    });
+  }
+  items.resize(count);
+}
+
+}  // namespace rimline

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch/outliers.h"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+
+#include "mesh/triangulation.h"
+
+namespace rimline {
+namespace {
+
+// The nearest point of a triangle.
+struct Foot {
+  double squared = std::numeric_limits<double>::infinity();
+  int corner = -1;  // it lies on the side opposite to this corner; -1: inside
+};
+
+Foot foot_on(Point p, const std::array<Point, 3>& v) {
+  const Point normal = cross(v[1] - v[0], v[2] - v[0]);
+  const double size = dot(normal, normal);
+  bool inside = size > 0;
+  for (int c = 0; c < 3; ++c)
+    inside = inside && dot(cross(v[previous(c)] - v[next(c)], p - v[next(c)]), normal) >= 0;
+  if (inside) return {dot(p - v[0], normal) * dot(p - v[0], normal) / size, -1};
+  Foot foot;
+  for (int c = 0; c < 3; ++c) {
+    const Point a = v[next(c)], e = v[previous(c)] - a;
+    const double t = std::clamp(dot(p - a, e) / std::max(dot(e, e), 1e-300), 0.0, 1.0);
+    const double squared = squared_distance(p, a + t * e);
+    if (squared < foot.squared) foot = {squared, c};
+  }
+  return foot;
+}
+
+// The triangles that are edge-connected with one at a loop. Scraps that touch the rim in a point alone are
+// left out.
+std::vector<Triangle> sheet_at(const std::vector<Index>& loop_next, const std::vector<Triangle>& triangles) {
+  const Triangulation mesh = triangulation_of(triangles, static_cast<Index>(loop_next.size()));
+  std::vector<char> reached(triangles.size(), 0);
+  std::vector<Index> open;
+  for (Index t = 0; t < mesh.size(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      if (reached[t] || loop_next[triangles[t][c]] != triangles[t][next(c)]) continue;
+      reached[t] = 1;
+      open.push_back(t);
+    }
+  }
+  std::vector<Triangle> sheet;
+  while (!open.empty()) {
+    const Index t = open.back();
+    open.pop_back();
+    sheet.push_back(triangles[t]);
+    for (const Index other : mesh.adjacent[t]) {
+      if (other == none || reached[other]) continue;
+      reached[other] = 1;
+      open.push_back(other);
+    }
+  }
+  return sheet;
+}
+
+class Finder {
+ public:
+  Finder(Points points, const std::vector<Loop>& loops, const std::vector<Triangle>& triangles)
+      : points_(points), loop_next_(points.size(), none), on_loop_(points.size(), 0) {
+    for (const Loop& loop : loops) {
+      for (std::size_t i = 0; i < loop.points.size(); ++i) {
+        loop_next_[loop.points[i]] = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
+        on_loop_[loop.points[i]] = 1;
+      }
+    }
+    triangles_ = sheet_at(loop_next_, triangles);
+    std::vector<char> has(points.size(), 0);
+    for (const Triangle& t : triangles_) has[t[0]] = has[t[1]] = has[t[2]] = 1;
+    for (Index v = 0; v < static_cast<Index>(points.size()); ++v) {
+      if (!has[v] && !on_loop_[v]) loose_.push_back(v);
+    }
+  }
+
+  std::vector<Index> find(const Neighbours& neighbours) {
+    gather(neighbours);
+    std::vector<Index> found;
+    for (const Index v : loose_) {
+      if (is_beside(v, neighbours)) found.push_back(v);
+    }
+    return found;
+  }
+
+ private:
+  static constexpr int looked_at = 12;  // neighbours: two rings of them
+
+  // The triangles of all points that are near a loose one.
+  void gather(const Neighbours& neighbours) {
+    for (const Index v : loose_) {
+      for (const Index near : neighbours.of(v, std::min(neighbours.k, looked_at))) stars_[near];
+    }
+    if (stars_.empty()) return;
+    for (Index t = 0; t < static_cast<Index>(triangles_.size()); ++t) {
+      for (const Index v : triangles_[t]) {
+        const auto at = stars_.find(v);
+        if (at != stars_.end()) at->second.push_back(t);
+      }
+    }
+  }
+
+  bool is_beside(Index v, const Neighbours& neighbours) const {
+    Foot nearest;
+    Index at = none;
+    for (const Index near : neighbours.of(v, std::min(neighbours.k, looked_at))) {
+      for (const Index t : stars_.at(near)) {
+        const Triangle& x = triangles_[t];
+        const Foot foot = foot_on(points_[v], {points_[x[0]], points_[x[1]], points_[x[2]]});
+        if (foot.squared < nearest.squared) {
+          nearest = foot;
+          at = t;
+        }
+      }
+    }
+    if (at == none) return true;
+    if (nearest.corner < 0) return false;
+    // At a corner of the rim any of its triangles may be the nearest.
+    const Index a = triangles_[at][next(nearest.corner)], b = triangles_[at][previous(nearest.corner)];
+    if (loop_next_[a] == b || loop_next_[b] == a) return true;
+    const double to_a = squared_distance(points_[v], points_[a]),
+                 to_b = squared_distance(points_[v], points_[b]);
+    constexpr double same = 1 + 1e-9;
+    return (on_loop_[a] && to_a <= same * nearest.squared) || (on_loop_[b] && to_b <= same * nearest.squared);
+  }
+
+  Points points_;
+  std::vector<Triangle> triangles_;
+  std::vector<Index> loop_next_;
+  std::vector<char> on_loop_;
+  std::vector<Index> loose_;
+  std::unordered_map<Index, std::vector<Index>> stars_;
+};
+
+}  // namespace
+
+std::vector<Index> points_beside(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
+                                 const std::vector<Triangle>& triangles) {
+  return Finder(points, loops, triangles).find(neighbours);
+}
+
+}  // namespace rimline

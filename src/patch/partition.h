@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which points and loops make one patch.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "local/voronoi_stars.h"
+#include "patch/pinches.h"
+#include "rimline/mesh.h"
+
+namespace rimline {
+
+// One patch, in ids of its own.
+struct PatchInput {
+  std::vector<Index> points;  // the id of each in the whole, ascending
+  Separated outline;          // the outer loop first; copies follow the points
+};
+
+struct Partition {
+  std::vector<PatchInput> patches;  // by the first of their loops
+  std::vector<Index> left_out;      // points that hang together with no loop, ascending
+};
+
+// Connected components. A triangle of `surface` joins its points. Without triangles, two points are joined if
+// each is in the cell of the other. Nothing is joined across a gap between loops, or where loops touch.
+// Points that no triangle joins to a loop are assigned by their cells; `stars` is called only for them.
+Partition partition(Index points, const std::function<const Stars&()>& stars, const std::vector<Loop>& loops,
+                    const std::vector<Triangle>& surface);
+
+}  // namespace rimline

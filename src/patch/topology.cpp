@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch/topology.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/union_find.h"
+#include "mesh/triangulation.h"
+
+namespace rimline {
+namespace {
+
+// Whether the cell of `point` has a corner between the sides towards a and b.
+bool has_corner(const Stars& stars, Index point, Index a, Index b) {
+  const std::span<const Index> star = stars.of(point);
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Index after = star[i + 1 < star.size() ? i + 1 : 0];
+    if ((star[i] == a && after == b) || (star[i] == b && after == a)) return true;
+  }
+  return false;
+}
+
+// The triangles that all three corners name. At most two of them share an edge.
+std::vector<Triangle> agreed_triangles(const Stars& stars) {
+  std::vector<Triangle> triangles;
+  for (Index i = 0; i + 1 < static_cast<Index>(stars.offsets.size()); ++i) {
+    const std::span<const Index> star = stars.of(i);
+    for (std::size_t k = 0; k < star.size(); ++k) {
+      const Index a = star[k], b = star[k + 1 < star.size() ? k + 1 : 0];
+      if (i < a && i < b && a != b && has_corner(stars, a, i, b) && has_corner(stars, b, i, a)) {
+        triangles.push_back({i, a, b});
+      }
+    }
+  }
+  return triangles;
+}
+
+// Edges with their triangles, without regard to orientation.
+struct Side {
+  Index a, b, triangle;  // a < b
+  friend bool operator<(const Side& s, const Side& t) {
+    return std::tie(s.a, s.b, s.triangle) < std::tie(t.a, t.b, t.triangle);
+  }
+};
+
+std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      const Index a = triangles[t][c], b = triangles[t][next(c)];
+      sides.push_back({std::min(a, b), std::max(a, b), t});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+bool same_edge(const Side& s, const Side& t) { return s.a == t.a && s.b == t.b; }
+
+// Whether triangle t runs along the side from its lower id to its higher.
+bool runs_up(const std::vector<Triangle>& triangles, const Side& side) {
+  const Triangle& t = triangles[side.triangle];
+  return (t[0] == side.a && t[1] == side.b) || (t[1] == side.a && t[2] == side.b) ||
+         (t[2] == side.a && t[0] == side.b);
+}
+
+// The triangles of the largest edge-connected component.
+std::vector<Triangle> largest_part(const std::vector<Triangle>& triangles) {
+  UnionFind parts(static_cast<Index>(triangles.size()));
+  const std::vector<Side> sides = sides_of(triangles);
+  for (std::size_t s = 1; s < sides.size(); ++s) {
+    if (same_edge(sides[s - 1], sides[s])) parts.join(sides[s - 1].triangle, sides[s].triangle);
+  }
+  std::vector<Index> size(triangles.size(), 0);
+  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) ++size[parts.find(t)];
+  const Index largest = static_cast<Index>(std::max_element(size.begin(), size.end()) - size.begin());
+  std::vector<Triangle> part;
+  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
+    if (parts.find(t) == largest) part.push_back(triangles[t]);
+  }
+  return part;
+}
+
+Point unit_normal(Points points, const Triangle& t) {
+  const Point n = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+  const double length = norm(n);
+  return length > 0 ? (1 / length) * n : Point{};
+}
+
+// Two nodes a triangle, one for each way to turn it: a one-sided surface joins the two. Not over an edge at
+// which the triangles fold by more than 45 degrees: there the cells may have taken two sheets that lie close
+// for one, and a single such edge would make any surface one-sided. A strip that is sampled well is smoother.
+bool is_orientable(Points points, const std::vector<Triangle>& triangles, const std::vector<Side>& sides) {
+  const Index n = static_cast<Index>(triangles.size());
+  constexpr double flat = 0.7;
+  UnionFind turned(2 * n);
+  for (std::size_t s = 1; s < sides.size(); ++s) {
+    if (!same_edge(sides[s - 1], sides[s])) continue;
+    const Index t = sides[s - 1].triangle, u = sides[s].triangle;
+    const bool agree = runs_up(triangles, sides[s - 1]) != runs_up(triangles, sides[s]);
+    const double cosine = dot(unit_normal(points, triangles[t]), unit_normal(points, triangles[u]));
+    if ((agree ? cosine : -cosine) < flat) continue;
+    turned.join(t, agree ? u : u + n);
+    turned.join(t + n, agree ? u + n : u);
+  }
+  for (Index t = 0; t < n; ++t) {
+    if (turned.find(t) == turned.find(t + n)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Topology find_topology(Points points, const Stars& stars) {
+  const Index n = static_cast<Index>(stars.offsets.size()) - 1;
+  Topology topology;
+  const std::vector<Triangle> triangles = largest_part(agreed_triangles(stars));
+  topology.triangles = static_cast<Index>(triangles.size());
+  if (triangles.empty()) return topology;
+  const std::vector<Side> sides = sides_of(triangles);
+  topology.orientable = is_orientable(points, triangles, sides);
+  // Euler's number, and one disc for each independent cycle of open edges.
+  std::vector<char> used(n, 0), rim(n, 0);
+  UnionFind rims(n);
+  long long edges = 0, open = 0, vertices = 0, rim_vertices = 0, rim_parts = 0;
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    used[sides[s].a] = used[sides[s].b] = 1;
+    if (s > 0 && same_edge(sides[s - 1], sides[s])) continue;
+    ++edges;
+    if (s + 1 < sides.size() && same_edge(sides[s], sides[s + 1])) continue;
+    ++open;
+    rim[sides[s].a] = rim[sides[s].b] = 1;
+    rims.join(sides[s].a, sides[s].b);
+  }
+  for (Index v = 0; v < n; ++v) {
+    vertices += used[v];
+    rim_vertices += rim[v];
+    rim_parts += rim[v] && rims.find(v) == v;
+  }
+  const long long discs = open - rim_vertices + rim_parts;
+  const long long euler = vertices - edges + static_cast<long long>(triangles.size()) + discs;
+  topology.genus = static_cast<int>((2 - euler) / 2);
+  topology.coverage = static_cast<double>(vertices) / static_cast<double>(n);
+  return topology;
+}
+
+}  // namespace rimline

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What kind of surface the points lie on, told without a map: a map to the disc makes a disc of anything.
+#pragma once
+
+#include "local/voronoi_stars.h"
+
+namespace rimline {
+
+// Of the largest edge-connected part of the triangles on which the cells of all three corners agree, its
+// gaps closed by discs.
+struct Topology {
+  bool orientable = true;
+  int genus = 0;        // handles; of a one-sided surface half the number of cross-caps, rounded down
+  double coverage = 0;  // share of the points that the part has: near 0 it tells nothing
+  Index triangles = 0;
+};
+
+Topology find_topology(Points points, const Stars& stars);
+
+}  // namespace rimline

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real scans with known boundary, from the folder that the environment variable RIMLINE_DATA names. Without
+// it these tests have nothing to check, and scripts/test says so.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "mesh/edges.h"
+#include "rimline/io.h"
+#include "rimline/pipeline.h"
+
+namespace rimline {
+namespace {
+
+// The path of a set, or "" where there is no such folder or file.
+std::string path_of(const std::string& set) {
+  const char* folder = std::getenv("RIMLINE_DATA");
+  if (folder == nullptr) return "";
+  const std::string path = std::string(folder) + "/" + set + ".ply";
+  return std::filesystem::exists(path) ? path : "";
+}
+
+struct Extent {
+  double low, high;
+  double size() const { return high - low; }
+};
+
+template <class Ids>
+Extent extent(const std::vector<Point>& points, const Ids& ids, double Point::*axis) {
+  Extent result{1e300, -1e300};
+  for (const Index id : ids) {
+    result.low = std::min(result.low, points[id].*axis);
+    result.high = std::max(result.high, points[id].*axis);
+  }
+  return result;
+}
+
+std::size_t boundary_edge_count(const std::vector<Triangle>& triangles) {
+  const auto edges = edges_of(triangles);
+  return std::count_if(edges.begin(), edges.end(), [](const Edge& e) { return e.triangles == 1; });
+}
+
+TEST_CASE("distcap under the preset paper is one disc whose loop is the base rim, as in figure 4 (c)") {
+  const std::string path = path_of("distcap");
+  if (path.empty()) return;
+  const Cloud cloud = read_cloud(path, {});
+  const ReconstructResult result = reconstruct(cloud.points, preset_options(Preset::Paper), {});
+  const MeshSummary& mesh = result.boundary.report.mesh;
+  CHECK(mesh.points_used == 12'745);
+  CHECK(mesh.euler == 1);
+  CHECK(mesh.boundary_loops == 1);
+  CHECK(mesh.uv_flips == 0);
+  CHECK(result.boundary.report.map.residual <= 1e-10);
+  const auto& loop = result.boundary.loops.at(0).points;
+  CHECK(boundary_edge_count(result.triangles) == loop.size());
+  std::vector<Index> all(cloud.points.size());
+  for (Index i = 0; i < static_cast<Index>(all.size()); ++i) all[i] = i;
+  const Extent z = extent(cloud.points, all, &Point::z);
+  CHECK(extent(cloud.points, loop, &Point::z).high <= z.low + 0.1 * z.size());
+  for (const auto axis : {&Point::x, &Point::y}) {
+    CHECK(extent(cloud.points, loop, axis).size() >= 0.98 * extent(cloud.points, all, axis).size());
+  }
+}
+
+TEST_CASE("the default finds the boundary of clean scans to the point, and its mesh ends there") {
+  for (const char* set : {"mannequin", "mannequin_uniform", "mannequin_nonuniform", "head", "bump_domain"}) {
+    const std::string path = path_of(set);
+    if (path.empty()) continue;
+    CAPTURE(set);
+    const Cloud cloud = read_cloud(path, {});
+    const Column* truth = cloud.find("boundary");
+    REQUIRE(truth != nullptr);
+    const ReconstructResult result = reconstruct(cloud.points, preset_options(Preset::Default), {});
+    std::size_t wrong = 0;
+    for (Index i = 0; i < static_cast<Index>(cloud.points.size()); ++i) {
+      wrong += result.boundary.boundary[i] != truth->value(i);
+    }
+    CHECK(wrong == 0);
+    REQUIRE(result.boundary.loops.size() == 1);
+    const MeshSummary& mesh = result.boundary.report.mesh;
+    CHECK(mesh.points_used == cloud.points.size());
+    CHECK(mesh.euler == 1);
+    CHECK(mesh.boundary_edges == result.boundary.loops[0].points.size());
+    CHECK(mesh.nonmanifold_edges + mesh.nonmanifold_vertices + mesh.uv_flips == 0);
+  }
+}
+
+// F1 of the points on the returned loops against those that the set calls boundary.
+double points_f1(const Cloud& cloud, const std::vector<Loop>& loops) {
+  const Column* truth = cloud.find("boundary");
+  REQUIRE(truth != nullptr);
+  std::set<Index> found;
+  for (const Loop& loop : loops) found.insert(loop.points.begin(), loop.points.end());
+  std::size_t right = 0, all = 0;
+  for (Index i = 0; i < static_cast<Index>(cloud.points.size()); ++i) {
+    const bool boundary = truth->value(i) == 1;
+    all += boundary;
+    right += boundary && found.count(i) == 1;
+  }
+  return 2 * static_cast<double>(right) / static_cast<double>(all + found.size());
+}
+
+TEST_CASE("rims of real scans that sizes alone get wrong are made right by the search") {
+  // A rim of 16 points in a grid of rows, a jagged cut, and a density border: points F1 without and with it.
+  struct Case {
+    const char* set;
+    double least;
+  };
+  for (const auto& [set, least] : {Case{"halftunnel", 1}, Case{"isis_open", 0.92}, Case{"mannequin", 1}}) {
+    const std::string path = path_of(set);
+    if (path.empty()) continue;
+    CAPTURE(set);
+    const Cloud cloud = read_cloud(path, {});
+    Options options = preset_options(Preset::Default);
+    CHECK(points_f1(cloud, find_boundary(cloud.points, options, {}).loops) >= least);
+    options.boundary_loops.rim_generations = 0;
+    CHECK(points_f1(cloud, find_boundary(cloud.points, options, {}).loops) < least - 0.02);
+  }
+}
+
+TEST_CASE("gaps at density borders and between patches are not returned as holes") {
+  struct Case {
+    const char* set;
+    std::size_t fewest, most;  // loops; two duplicate points pinch the outer one of beetle
+  };
+  for (const auto& [set, fewest, most] : {Case{"mannequin_devil", 1, 1}, Case{"beetle", 11, 13}}) {
+    const std::string path = path_of(set);
+    if (path.empty()) continue;
+    CAPTURE(set);
+    const Cloud cloud = read_cloud(path, {});
+    const auto loops = find_boundary(cloud.points, preset_options(Preset::Default), {}).loops;
+    CHECK(loops.size() >= fewest);
+    CHECK(loops.size() <= most);
+    CHECK(points_f1(cloud, loops) >= 0.9);
+  }
+}
+
+TEST_CASE("the ragged rim of a raw range scan is found, and its mesh has no pinch") {
+  const std::string path = path_of("bunny_scan");
+  if (path.empty()) return;
+  const Cloud cloud = read_cloud(path, {});
+  const ReconstructResult result = reconstruct(cloud.points, preset_options(Preset::Default), {});
+  CHECK(points_f1(cloud, result.boundary.loops) >= 0.84);
+  CHECK(result.boundary.report.mesh.nonmanifold_edges + result.boundary.report.mesh.nonmanifold_vertices ==
+        0);
+}
+
+}  // namespace
+}  // namespace rimline

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/pipeline.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/random.h"
+#include "mesh/edges.h"
+#include "shapes.h"
+
+namespace rimline {
+namespace {
+
+using EdgeSet = std::set<std::pair<Index, Index>>;
+
+EdgeSet loop_edges(const std::vector<Index>& loop) {
+  EdgeSet edges;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    edges.insert(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
+  return edges;
+}
+
+EdgeSet boundary_edges(const std::vector<Triangle>& triangles) {
+  EdgeSet edges;
+  for (const Edge& e : edges_of(triangles)) {
+    if (e.triangles == 1) edges.insert({e.a, e.b});
+  }
+  return edges;
+}
+
+std::string without_run(const Report& report) {
+  auto json = nlohmann::json::parse(to_json(report));
+  CHECK(json.contains("run"));
+  json.erase("run");
+  return json.dump();
+}
+
+TEST_CASE("a bumpy disc becomes a disc: all points, V - E + F = 1, its boundary the loop") {
+  const auto disc = shapes::disc(16, 0.4);
+  for (const Preset preset : {Preset::Paper, Preset::PaperLog}) {
+    const ReconstructResult result = reconstruct(disc.points, preset_options(preset), {});
+    const MeshSummary& m = result.boundary.report.mesh;
+    CHECK(m.euler == 1);
+    CHECK(m.boundary_loops == 1);
+    CHECK(m.points_used == disc.points.size());
+    CHECK(m.nonmanifold_edges == 0);
+    CHECK(m.uv_flips == 0);
+    CHECK(boundary_edges(result.triangles) == loop_edges(result.boundary.loops[0].points));
+    // The paper's band is a few points wide; its loop stays within it.
+    for (const Index id : result.boundary.loops[0].points)
+      CHECK(norm({disc.points[id].x, disc.points[id].y, 0}) > 0.8);
+  }
+}
+
+TEST_CASE("triangles face up, or with the normals, and the loop keeps the surface on its left") {
+  const auto disc = shapes::disc(16, 0.4);
+  const auto signed_area = [&](const std::vector<Index>& loop) {
+    double area = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      area += cross(disc.points[loop[i]], disc.points[loop[(i + 1) % loop.size()]]).z / 2;
+    }
+    return area;
+  };
+  for (const double side : {1.0, -1.0}) {
+    Given given;
+    given.normals.assign(disc.points.size(), Point{0, 0, side});
+    const ReconstructResult result = reconstruct(disc.points, preset_options(Preset::PaperLog), {}, given);
+    double facing = 0;
+    for (const auto& [a, b, c] : result.triangles) {
+      facing += cross(disc.points[b] - disc.points[a], disc.points[c] - disc.points[a]).z;
+      const UV p = result.uv[a], q = result.uv[b], r = result.uv[c];
+      CHECK((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u) > 0);
+    }
+    CHECK(facing * side > 0);
+    CHECK(signed_area(result.boundary.loops[0].points) * side > 3);
+  }
+}
+
+TEST_CASE("one and two threads give the same result and the same report less `run`") {
+  const auto disc = shapes::disc(20, 0.5);
+  Run one, two;
+  one.threads = 1;
+  two.threads = 2;
+  const auto a = reconstruct(disc.points, preset_options(Preset::PaperLog), one);
+  const auto b = reconstruct(disc.points, preset_options(Preset::PaperLog), two);
+  CHECK(a.triangles == b.triangles);
+  CHECK(a.uv == b.uv);
+  CHECK(a.boundary.p_value == b.boundary.p_value);
+  CHECK(a.boundary.loops[0].points == b.boundary.loops[0].points);
+  CHECK(without_run(a.boundary.report) == without_run(b.boundary.report));
+}
+
+TEST_CASE("permuting the input permutes the scores and the loop and nothing else") {
+  const auto disc = shapes::disc(14, 0.4);
+  std::vector<Index> order(disc.points.size());
+  for (Index i = 0; i < static_cast<Index>(order.size()); ++i) order[i] = i;
+  Random(11).shuffle(order);
+  std::vector<Point> permuted;
+  for (const Index i : order) permuted.push_back(disc.points[i]);
+  const auto a = find_boundary(disc.points, preset_options(Preset::PaperLog), {});
+  const auto b = find_boundary(permuted, preset_options(Preset::PaperLog), {});
+  for (std::size_t i = 0; i < order.size(); ++i) CHECK(b.p_value[i] == a.p_value[order[i]]);
+  std::vector<Index> loop;
+  for (const Index id : b.loops[0].points) loop.push_back(order[id]);
+  CHECK(loop == a.loops[0].points);
+}
+
+TEST_CASE("points that take no part are counted by reason and used nowhere") {
+  auto disc = shapes::disc(14, 0.4);
+  const double nan = std::nan("");
+  disc.points.push_back(disc.points[3]);
+  disc.points.push_back({nan, 0, 0});
+  disc.points.push_back({100, 100, 100});
+  const auto result = reconstruct(disc.points, preset_options(Preset::PaperLog), {});
+  const PointCounts& counts = result.boundary.report.points;
+  CHECK(counts.duplicates == 1);
+  CHECK(counts.not_finite == 1);
+  CHECK(counts.stray == 1);
+  CHECK(counts.used + 3 == counts.input);
+  for (std::size_t i = disc.points.size() - 3; i < disc.points.size(); ++i) {
+    CHECK(std::isnan(result.uv[i].u));
+    CHECK(result.boundary.loop[i] == none);
+    for (const Triangle& t : result.triangles)
+      CHECK(std::count(t.begin(), t.end(), static_cast<Index>(i)) == 0);
+  }
+}
+
+TEST_CASE("of points that are left out nothing is told, wherever they stand in the input") {
+  auto points = shapes::disc(14, 0.4).points;
+  const auto at = static_cast<std::ptrdiff_t>(points.size() / 2);
+  points.insert(points.begin() + at, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
+  for (const Preset preset : {Preset::Default, Preset::PaperLog}) {
+    const auto found = find_boundary(points, preset_options(preset), {});
+    CHECK(std::isnan(found.p_value[at]));
+    CHECK(std::isnan(found.score[at]));
+    CHECK(found.candidate[at] == 0);
+    CHECK(!std::isnan(found.p_value[at + 1]));
+    if (preset != Preset::Default) continue;
+    CHECK(std::isnan(found.boundary_probability[at]));
+    CHECK(found.label[at] == PointLabel::Stray);
+  }
+}
+
+TEST_CASE("a loop made by hand is used instead of finding one") {
+  const auto disc = shapes::disc(12, 0.4);
+  Given given;
+  given.loops.push_back({disc.rim});
+  const auto result = reconstruct(disc.points, preset_options(Preset::Paper), {}, given);
+  CHECK(boundary_edges(result.triangles) == loop_edges(disc.rim));
+  CHECK(result.boundary.report.search.starts == 0);
+}
+
+TEST_CASE("points that a loop made by hand does not bound are named, or left out where that is allowed") {
+  auto disc = shapes::disc(12, 0.4);
+  const std::size_t bounded = disc.points.size();
+  for (const Point& p : shapes::disc(6).points) disc.points.push_back(p + Point{50, 0, 0});
+  Given given;
+  given.loops.push_back({disc.rim});
+  Options options = preset_options(Preset::Default);
+  try {
+    reconstruct(disc.points, options, {}, given);
+    FAIL("meshed a part that no loop bounds");
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::UnreachableInterior);
+    CHECK(error.ids().size() == disc.points.size() - bounded);
+  }
+  options.mesh.allow_partial = true;
+  CHECK(reconstruct(disc.points, options, {}, given).boundary.report.points.unmeshed ==
+        disc.points.size() - bounded);
+}
+
+TEST_CASE("bad options and given loops are refused with their names") {
+  const auto disc = shapes::disc(12);
+  Options options;
+  options.boundary.significance = 2;
+  try {
+    find_boundary(disc.points, options, {});
+    FAIL("took a significance of 2");
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::BadOption);
+    CHECK(std::string(error.what()).find("significance") != std::string::npos);
+  }
+  Given given;
+  given.loops.push_back({{0, 1, 999'999}});
+  CHECK_THROWS_AS(find_boundary(disc.points, {}, {}, given), Error);
+}
+
+TEST_CASE("a warning is given where k / r is below 5") {
+  const auto disc = shapes::disc(14);
+  Options options = preset_options(Preset::PaperLog);
+  CHECK(find_boundary(disc.points, options, {}).report.warnings.empty());
+  options.boundary.sectors = 10;
+  const Report report = find_boundary(disc.points, options, {}).report;
+  CHECK_FALSE(report.assumptions.chi_square_valid);
+  CHECK(report.assumptions.points_per_sector == 4);
+  CHECK(report.warnings.size() == 1);
+}
+
+TEST_CASE("cancelling at the third report of a stage ends there") {
+  const auto disc = shapes::disc(20, 0.4);
+  std::atomic<bool> stop{false};
+  int reports = 0;
+  Run run;
+  run.stop = &stop;
+  run.on_progress = [&](Progress p) {
+    if (p.stage == Stage::Loops && ++reports == 3) stop = true;
+  };
+  CHECK_THROWS_AS(find_boundary(disc.points, preset_options(Preset::Paper), run), Error);
+  CHECK(reports == 3);
+}
+
+TEST_CASE("a moved set gives the same loop, also at ten million") {
+  const auto disc = shapes::disc(14, 0.4);
+  const auto loop = find_boundary(disc.points, preset_options(Preset::PaperLog), {}).loops[0].points;
+  for (const double offset : {0.001, 1e7}) {
+    std::vector<Point> moved;
+    for (const Point& p : disc.points) moved.push_back(p + Point{offset, 2 * offset, -offset});
+    CHECK(loop_edges(find_boundary(moved, preset_options(Preset::PaperLog), {}).loops[0].points) ==
+          loop_edges(loop));
+  }
+}
+
+}  // namespace
+}  // namespace rimline
