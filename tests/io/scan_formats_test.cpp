@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// LAS, LAZ and E57: small files of others (files/make.py) whose numbers are known, and damage done to them.
+#include <random>
+
+#include "io/files.h"
+#include "rimline/formats.h"
+
+namespace rimline {
+namespace {
+
+const char* const las_files[] = {"points_1.2.las", "points_1.2.laz", "points_1.4.las", "points_1.4.laz"};
+
+std::string file(const std::string& name) { return std::string(RIMLINE_TEST_FILES) + "/" + name; }
+
+bool is_built() {
+  for (const FileFormat& format : file_formats()) {
+    if (format.name == "E57") return serves(format, FormatUse::ReadPoints);
+  }
+  return false;
+}
+
+// What a test without the component can still see: the file is refused by name.
+bool skipped() {
+  if (is_built()) return false;
+  MESSAGE("skipped: built without RIMLINE_SCAN_FORMATS");
+  CHECK(contains(complaint("a.laz", content_of(file("points_1.4.laz"))), "built without"));
+  return true;
+}
+
+TEST_CASE("LAS and LAZ give every number of every point, coordinates by scale and offset in double") {
+  if (skipped()) return;
+  for (const char* name : las_files) {
+    CAPTURE(name);
+    const Cloud cloud = read_cloud(file(name), {});
+    REQUIRE(cloud.points.size() == 20);
+    CHECK(cloud.coordinate_type == Scalar::Float64);
+    for (int i = 0; i < 20; ++i) {
+      CAPTURE(i);
+      CHECK(cloud.points[i] == Point{7 * i * 0.001 + 500000, -i * 0.01 + 5400000, i * 0.1 + 0});
+      const auto value = [&](const char* column) { return cloud.find(column)->value(i); };
+      CHECK(value("intensity") == 100 * i);
+      CHECK(value("classification") == i % 5);
+      CHECK(value("return_number") == 1 + i % 2);
+      CHECK(value("gps_time") == 1e8 + i / 8.0);
+      CHECK(value("red") == 1000 * i);
+      CHECK(value("blue") == 3000 * i);
+    }
+    CHECK(cloud.find("red")->type == Scalar::UInt16);
+  }
+  CHECK(read_cloud(file("points_1.2.laz"), {}).format == "LAZ 1.2, point format 3");
+  CHECK(read_cloud(file("points_1.4.las"), {}).format == "LAS 1.4, point format 7");
+}
+
+TEST_CASE("scans of an E57 follow each other, each moved by its pose") {
+  if (skipped()) return;
+  const Cloud cloud = read_cloud(file("two_scans.e57"), {});
+  REQUIRE(cloud.points.size() == 40);
+  CHECK(cloud.format == "E57, 2 scans");
+  CHECK(cloud.unit == "m");
+  for (int i = 0; i < 20; ++i) {
+    CAPTURE(i);
+    CHECK(norm(cloud.points[i] - Point{i / 4.0, -i / 2.0, 0}) == 0);
+    CHECK(norm(cloud.points[20 + i] - Point{100 + i / 2.0, i / 4.0, 1}) < 1e-12);
+    CHECK(cloud.find("scan")->value(i) == 0);
+    CHECK(cloud.find("scan")->value(20 + i) == 1);
+    CHECK(cloud.find("intensity")->value(20 + i) == i / 32.0);
+    CHECK(cloud.find("green")->value(i) == 4 * i);
+  }
+  CHECK(cloud.find("green")->type == Scalar::UInt8);
+}
+
+TEST_CASE("classes of a LAZ are chosen, and the points know their place in the file") {
+  if (skipped()) return;
+  const Cloud cloud = read_cloud(file("points_1.4.laz"), {.classes = {2, 4}}, {});
+  CHECK(values(cloud, "file_index") == std::vector<double>{2, 4, 7, 9, 12, 14, 17, 19});
+  CHECK(cloud.points[1].z == 4 * 0.1);
+}
+
+TEST_CASE("counts that the file has no bytes for are refused before memory is taken") {
+  if (skipped()) return;
+  std::string las = content_of(file("points_1.2.las"));
+  las.replace(107, 4, "\xff\xff\xff\x7e");
+  CHECK(contains(complaint("a.las", las), "announces"));
+  std::string few = content_of(file("points_1.2.las"));
+  few.replace(107, 4, std::string("\xff\x00\x00\x00", 4));
+  CHECK(contains(complaint("a.las", few), "before the 255 points that its header announces"));
+  std::string laz = content_of(file("points_1.2.laz"));
+  laz.replace(107, 4, std::string("\xff\x00\x00\x00", 4));
+  CHECK(contains(complaint("a.laz", laz), "copy it again"));
+  CHECK(contains(complaint("a.las", las.substr(0, 200)), "header"));
+  CHECK(contains(complaint("a.e57", content_of(file("two_scans.e57")).substr(0, 2048)), "copy it again"));
+}
+
+TEST_CASE("a memory limit stops a scan before its points are read") {
+  if (skipped()) return;
+  try {
+    read_cloud(file("points_1.4.las"), Run{.memory_limit = 1000});
+    FAIL_CHECK("was read");
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::OutOfMemory);
+  }
+}
+
+// The checksum of a page, as E57 has it: CRC-32C of 1,020 bytes, the largest byte first.
+void mend_pages(std::string& bytes) {
+  for (std::size_t page = 0; page + 1024 <= bytes.size(); page += 1024) {
+    std::uint32_t crc = ~std::uint32_t{0};
+    for (std::size_t i = 0; i < 1020; ++i) {
+      crc ^= static_cast<unsigned char>(bytes[page + i]);
+      for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0x82f63b78u : 0);
+    }
+    for (std::size_t i = 0; i < 4; ++i) bytes[page + 1020 + i] = static_cast<char>(~crc >> (24 - 8 * i));
+  }
+}
+
+TEST_CASE("damaged LAS, LAZ and E57 are read or refused, and nothing else happens") {
+  if (skipped()) return;
+  std::string mended = content_of(file("two_scans.e57"));
+  mend_pages(mended);
+  CHECK(mended == content_of(file("two_scans.e57")));  // the checksum is the format's
+  std::mt19937 random(5);
+  std::size_t read = 0, refused = 0;
+  for (const std::string name :
+       {"points_1.2.las", "points_1.2.laz", "points_1.4.las", "points_1.4.laz", "two_scans.e57"}) {
+    const std::string whole = content_of(file(name));
+    for (int trial = 0; trial < 300; ++trial) {
+      std::string bytes = whole;
+      for (int change = random() % 4; change >= 0; --change)
+        bytes[random() % bytes.size()] = static_cast<char>(random());
+      if (trial % 5 == 0) bytes.resize(random() % bytes.size());
+      if (name.ends_with("e57")) mend_pages(bytes);
+      try {
+        read_bytes(name, bytes, Run{.memory_limit = std::size_t{1} << 28});
+        ++read;
+      } catch (const Error& error) {
+        CHECK((error.code() == ErrorCode::CannotRead || error.code() == ErrorCode::OutOfMemory));
+        ++refused;
+      }
+    }
+  }
+  CHECK(read > 100);
+  CHECK(refused > 100);
+}
+
+}  // namespace
+}  // namespace rimline
