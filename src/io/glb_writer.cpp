@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
-#include "io/writers.h"
+#include "io/colours.h"
+#include "io/float_places.h"
 
 namespace rimline::io {
 namespace {
@@ -79,13 +81,9 @@ struct Attributes {
   Point middle;
   std::vector<Point> normals;
   const Column *u = nullptr, *v = nullptr;
-  std::array<const Column*, 3> colour{};
+  std::optional<Colours> colours;
 
   bool has_uv() const { return u != nullptr && v != nullptr; }
-  bool has_colour() const {
-    return std::all_of(colour.begin(), colour.end(),
-                       [](const Column* c) { return c != nullptr && c->type == Scalar::UInt8; });
-  }
 };
 
 // Unused points may have no place; the standard allows no NaN.
@@ -111,7 +109,7 @@ Attributes attributes_of(const Cloud& cloud, const Triangles& triangles, const B
   a.normals = cloud.normals();
   if (a.normals.empty()) a.normals = normals_of_mesh(cloud.points, triangles);
   a.u = cloud.find("u"), a.v = cloud.find("v");
-  a.colour = {cloud.find("red"), cloud.find("green"), cloud.find("blue")};
+  a.colours = colours_of(cloud);
   return a;
 }
 
@@ -127,7 +125,7 @@ Json describe(Document& document, const Attributes& a, const Box& box, const Tri
   document.accessor(position)["max"] = as_floats(high);
   attributes["NORMAL"] = document.add(count, "VEC3", code_float, 12, target_vertices);
   if (a.has_uv()) attributes["TEXCOORD_0"] = document.add(count, "VEC2", code_float, 8, target_vertices);
-  if (a.has_colour()) {
+  if (a.colours) {
     const int colour = document.add(count, "VEC4", code_ubyte, 4, target_vertices);
     document.accessor(colour)["normalized"] = true;
     attributes["COLOR_0"] = colour;
@@ -156,9 +154,10 @@ void write_buffer(SafeFile& file, const Attributes& a, const Triangles& triangle
       file.little(finite_float(1 - a.v->value(id)));  // the standard's v points down
     });
   }
-  if (a.has_colour()) {
+  if (a.colours) {
     for_each_written(count, run, [&](std::size_t i) {
-      for (const Column* channel : a.colour) file.write(static_cast<char>(channel->bytes[i]));
+      for (std::size_t c = 0; c < 3; ++c)
+        file.write(static_cast<char>(a.colours->byte(static_cast<Index>(i), c)));
       file.write('\xff');  // opaque; alpha is here to fill four bytes
     });
   }
@@ -169,11 +168,12 @@ void write_buffer(SafeFile& file, const Attributes& a, const Triangles& triangle
 
 }  // namespace
 
-void write_glb(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
+Point write_glb(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   const auto& [cloud, triangles, ignored] = mesh;
   const Box box = bounds(cloud.points);
   const Attributes attributes = attributes_of(cloud, triangles, box);
   Document document;
+  check_floats(mesh, attributes.middle, "glTF binary");
   const Json primitive = describe(document, attributes, box, triangles);
   const std::string json = document.text(primitive, attributes.middle);
   const std::size_t total = 12 + 8 + json.size() + 8 + document.size();
@@ -190,6 +190,7 @@ void write_glb(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   file.little(static_cast<std::uint32_t>(document.size()));
   file.little(buffer_chunk);
   write_buffer(file, attributes, triangles, run);
+  return {};  // what is taken off is in the file, as the node's translation
 }
 
 }  // namespace rimline::io

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OBJ, OFF, STL, and the choice among the formats of a mesh.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
+#include "io/colours.h"
+#include "io/float_places.h"
 #include "io/formats.h"
 #include "io/telling.h"
 #include "rimline/io.h"
@@ -36,12 +41,32 @@ namespace {
 
 // OBJ and OFF have no NaN. Points without a finite place are in no triangle; they are put where the first
 // point is that has one, which no reader minds.
-void write_places(SafeFile& file, const Cloud& cloud, const char* prefix, const Run& run) {
-  const auto first = std::find_if(cloud.points.begin(), cloud.points.end(), is_finite);
-  const Point place = first == cloud.points.end() ? Point{} : *first;
+class FinitePlaces {
+ public:
+  explicit FinitePlaces(const Cloud& cloud) : cloud_(cloud) {
+    const auto first = std::find_if(cloud.points.begin(), cloud.points.end(), is_finite);
+    if (first != cloud.points.end()) instead_ = *first;
+  }
+  void write(SafeFile& file, std::size_t i) const {
+    write_point(file, is_finite(cloud_.points[i]) ? cloud_.points[i] : instead_, cloud_.coordinate_type);
+  }
+
+ private:
+  const Cloud& cloud_;
+  Point instead_;
+};
+
+// "v x y z r g b", colours from 0 to 1 as most programs write and read them.
+void write_obj_places(SafeFile& file, const Cloud& cloud, const Run& run) {
+  const FinitePlaces places(cloud);
+  const std::optional<Colours> colours = colours_of(cloud);
   for_each_written(cloud.points.size(), run, [&](std::size_t i) {
-    file.write(prefix);
-    write_point(file, is_finite(cloud.points[i]) ? cloud.points[i] : place, cloud.coordinate_type);
+    file.write("v ");
+    places.write(file, i);
+    for (std::size_t c = 0; colours && c < 3; ++c) {
+      file.write(' ');
+      file.number(static_cast<float>(colours->share(static_cast<Index>(i), c)));
+    }
     file.write('\n');
   });
 }
@@ -90,12 +115,12 @@ void write_obj_corner(SafeFile& file, Index id, bool uv) {
 
 }  // namespace
 
-void write_obj(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
+Point write_obj(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   const auto& [cloud, triangles, ignored] = mesh;
   const Column* u = cloud.find("u");
   const Column* v = cloud.find("v");
   const bool uv = u != nullptr && v != nullptr;
-  write_places(file, cloud, "v ", run);
+  write_obj_places(file, cloud, run);
   if (uv) write_obj_uv(file, *u, *v, cloud.points.size(), run);
   write_obj_normals(file, cloud, triangles, run);
   for_each_written(triangles.size(), run, [&](std::size_t t) {
@@ -103,12 +128,17 @@ void write_obj(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
     for (const Index id : triangles[t]) write_obj_corner(file, id, uv);
     file.write('\n');
   });
+  return {};
 }
 
-void write_off(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
+Point write_off(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   const auto& [cloud, triangles, ignored] = mesh;
   file.write("OFF\n" + std::to_string(cloud.points.size()) + " " + std::to_string(triangles.size()) + " 0\n");
-  write_places(file, cloud, "", run);
+  const FinitePlaces places(cloud);
+  for_each_written(cloud.points.size(), run, [&](std::size_t i) {
+    places.write(file, i);
+    file.write('\n');
+  });
   for_each_written(triangles.size(), run, [&](std::size_t t) {
     file.write('3');
     for (const Index id : triangles[t]) {
@@ -117,17 +147,26 @@ void write_off(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
     }
     file.write('\n');
   });
+  return {};
 }
 
-void write_stl(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
-  const auto& [cloud, triangles, ignored] = mesh;
-  std::string header = "binary STL";  // must not start with "solid"
+// The header, which must not start with "solid", tells what has to be added.
+std::string stl_header(Point offset) {
+  std::string header = "binary STL";
+  if (offset != Point{}) header += fmt::format(", add {} {} {}", offset.x, offset.y, offset.z);
   header.resize(80, ' ');
-  file.write(header);
+  return header;
+}
+
+Point write_stl(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
+  const auto& [cloud, triangles, ignored] = mesh;
+  const Point offset = offset_for_floats(cloud);
+  check_floats(mesh, offset, "STL");
+  file.write(stl_header(offset));
   file.little(static_cast<std::uint32_t>(triangles.size()));
   for_each_written(triangles.size(), run, [&](std::size_t t) {
-    const std::array<Point, 3> corners = {cloud.points[triangles[t][0]], cloud.points[triangles[t][1]],
-                                          cloud.points[triangles[t][2]]};
+    std::array<Point, 3> corners;
+    for (std::size_t c = 0; c < 3; ++c) corners[c] = cloud.points[triangles[t][c]] - offset;
     Point normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double length = norm(normal);
     if (length > 0) normal = (1 / length) * normal;
@@ -136,6 +175,7 @@ void write_stl(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
     }
     file.little(std::uint16_t{0});
   });
+  return offset;
 }
 
 }  // namespace io
@@ -153,13 +193,22 @@ void write_cloud(const std::string& path, const Cloud& cloud, const Run& run) {
   file.commit();
 }
 
-void write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
-                const Run& run, const std::vector<Column>& face_columns) {
+WrittenMesh write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
+                       const Run& run, const std::vector<Column>& face_columns) {
   check_mesh_path(path);
   io::SafeFile file(path);
-  io::mesh_format(io::ending_of(path))->write_mesh(file, {cloud, triangles, face_columns}, run);
+  const io::Format& format = *io::mesh_format(io::ending_of(path));
+  WrittenMesh written;
+  written.offset = format.write_mesh(file, {cloud, triangles, face_columns}, run);
   run.progress(Stage::Write, 1, 1);
   file.commit();
+  if (written.offset == Point{}) return written;
+  const auto& [x, y, z] = written.offset;
+  written.notices.push_back(fmt::format(
+      "{}: {} has 32 bits a coordinate, too few for these: {}, {} and {} were taken off x, y and z; "
+      "add them, or write PLY",
+      path, format.about.name, x, y, z));
+  return written;
 }
 
 }  // namespace rimline

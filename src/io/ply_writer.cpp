@@ -136,8 +136,9 @@ void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, c
   if (triangles != nullptr) write_faces(file, *triangles, run, face_columns);
 }
 
-void write_ply_mesh(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
+Point write_ply_mesh(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   write_ply(file, mesh.cloud, &mesh.triangles, run, mesh.face_columns);
+  return {};
 }
 
 }  // namespace rimline::io

@@ -30,11 +30,12 @@ struct LoopsToWrite {
 void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, const Run& run,
                const std::vector<Column>& face_columns = {});
 
-void write_ply_mesh(SafeFile& file, const MeshToWrite& mesh, const Run& run);
-void write_obj(SafeFile& file, const MeshToWrite& mesh, const Run& run);
-void write_off(SafeFile& file, const MeshToWrite& mesh, const Run& run);
-void write_stl(SafeFile& file, const MeshToWrite& mesh, const Run& run);
-void write_glb(SafeFile& file, const MeshToWrite& mesh, const Run& run);
+// All return what was taken off the coordinates, which a reader of the file has to add: zero, but for STL.
+Point write_ply_mesh(SafeFile& file, const MeshToWrite& mesh, const Run& run);
+Point write_obj(SafeFile& file, const MeshToWrite& mesh, const Run& run);
+Point write_off(SafeFile& file, const MeshToWrite& mesh, const Run& run);
+Point write_stl(SafeFile& file, const MeshToWrite& mesh, const Run& run);
+Point write_glb(SafeFile& file, const MeshToWrite& mesh, const Run& run);
 
 void write_loops_json(SafeFile& file, const LoopsToWrite& loops);
 void write_loops_geojson(SafeFile& file, const LoopsToWrite& loops);
