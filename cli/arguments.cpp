@@ -152,8 +152,8 @@ CLI::Option* add_path(CLI::App& command, const std::string& flags, std::string& 
   const auto take = [&path, flags, value](const std::string& text) {
     const std::string flag = flags.substr(flags.find("--") == std::string::npos ? 0 : flags.find("--"));
     if (text.empty()) {
-      throw Error(ErrorCode::BadOption, fmt::format("{} wants the name of a file, not ''",
-                                                    flag.starts_with("-") ? flag : value));
+      throw Error(ErrorCode::BadOption,
+                  fmt::format("{} wants the name of a file, not ''", flag.starts_with("-") ? flag : value));
     }
     path = text;
   };
@@ -184,10 +184,20 @@ void add_common(CLI::App& command, Common& common) {
       ->group(group);
 }
 
-void add_input(CLI::App& command, std::string& input) {
-  add_path(command, "input", input, "IN",
+void add_input(CLI::App& command, Input& input) {
+  add_path(command, "input", input.path, "IN",
            fmt::format("Points: {}; - reads standard input", names_of_formats(FormatUse::ReadPoints)))
       ->required();
+  add_parsed(command, "--class", "N,N,...",
+             "Take the points of these classes alone, 2 being the ground of airborne scans. From 0 to 255. "
+             "Default: all.",
+             "Files",
+             [&input](const std::string& text) { input.filter.classes = parse_classes("--class", text); });
+  add_parsed(
+      command, "--returns", "NAME",
+      fmt::format("Take these returns of each pulse: {}. Default all.", fmt::join(names_of<Returns>(), ", ")),
+      "Files",
+      [&input](const std::string& text) { input.filter.returns = parse_enum<Returns>("--returns", text); });
 }
 
 void add_output(CLI::App& command, std::string& output, const std::string& value,

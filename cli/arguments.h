@@ -10,6 +10,7 @@
 #include <string>
 
 #include "outputs.h"
+#include "rimline/io.h"
 #include "rimline/options.h"
 #include "rimline/pipeline.h"
 #include "rimline/run.h"
@@ -25,10 +26,16 @@ struct Common {
   bool quiet = false;
 };
 
+// Points and which of them.
+struct Input {
+  std::string path;
+  PointFilter filter;
+};
+
 // What the subcommands that run the method take. Empty paths are files that were not asked for.
 struct MethodArguments {
   Common common;
-  std::string input;
+  Input input;
   std::string output, loops, report, picture;
   std::string use_loops;
   std::optional<Point> up;
@@ -53,7 +60,8 @@ CLI::Option* add_path(CLI::App& command, const std::string& flags, std::string& 
                       const std::string& value, const std::string& description);
 
 void add_common(CLI::App& command, Common& common);
-void add_input(CLI::App& command, std::string& input);
+// IN, and which of its points are taken: --class, --returns.
+void add_input(CLI::App& command, Input& input);
 void add_output(CLI::App& command, std::string& output, const std::string& value,
                 const std::string& description, bool required);
 

@@ -25,7 +25,7 @@ void run_boundary(const MethodArguments& arguments) {
           .boundary = result,
           .up = arguments.up,
           .panel_size = arguments.picture_size},
-         result.report, session);
+         told(in, result.report), session);
 }
 
 }  // namespace

@@ -17,14 +17,15 @@ namespace {
 
 struct InfoArguments {
   Common common;
-  std::string input;
+  Input input;
 };
 
 std::string line(const char* label, const std::string& text) {
   return fmt::format("{:<12} {}\n", label, text);
 }
 
-std::string box_lines(Points points) {
+// Where the points lie, and how far they reach.
+std::string box_lines(Points points, const std::string& unit) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Point low = {infinite, infinite, infinite}, high = {-infinite, -infinite, -infinite};
   for (const Point p : points) {
@@ -32,13 +33,17 @@ std::string box_lines(Points points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  return line("x", fmt::format("{} to {}", low.x, high.x)) +
+  const Point extent = high - low;
+  return line("unit", unit.empty() ? "not told by the file" : unit) +
+         line("x", fmt::format("{} to {}", low.x, high.x)) +
          line("y", fmt::format("{} to {}", low.y, high.y)) +
-         line("z", fmt::format("{} to {}", low.z, high.z));
+         line("z", fmt::format("{} to {}", low.z, high.z)) +
+         line("extent", fmt::format("{:.6g} x {:.6g} x {:.6g}", extent.x, extent.y, extent.z));
 }
 
 std::string property_lines(const Cloud& cloud) {
   std::string text = line("coordinates", name(cloud.coordinate_type));
+  if (!cloud.coordinates.empty()) text += line("x, y, z from", cloud.coordinates);
   std::string list;
   for (const Column& column : cloud.columns) {
     list += (list.empty() ? "" : ", ") + fmt::format("{} {}", name(column.type), column.name);
@@ -62,21 +67,22 @@ std::string spacing_line(const Arrangement& distinct, const Run& run) {
 
 void run_info(const InfoArguments& arguments) {
   Session session(arguments.common);
-  const Cloud cloud = read_cloud(arguments.input, session.run());
-  std::string text = line("file", arguments.input == "-" ? "standard input" : arguments.input);
+  const Cloud cloud = read_cloud(arguments.input.path, arguments.input.filter, session.run());
+  std::string text = line("file", arguments.input.path == "-" ? "standard input" : arguments.input.path);
   text += line("format", cloud.format);
   text += line("points", with_commas(static_cast<long long>(cloud.points.size())));
   text += property_lines(cloud);
   const bool any_finite = std::any_of(cloud.points.begin(), cloud.points.end(), is_finite);
   if (any_finite) {
     const Arrangement distinct = arrange(cloud.points, session.run());
-    text += box_lines(cloud.points);
+    text += box_lines(cloud.points, cloud.unit);
     text += line("not finite", with_commas(static_cast<long long>(distinct.not_finite.size())));
     text += line("duplicates", with_commas(static_cast<long long>(distinct.duplicates.size())));
     if (distinct.points.size() > 1) text += spacing_line(distinct, session.run());
   } else {
     text += line("not finite", with_commas(static_cast<long long>(cloud.points.size())));
   }
+  for (const std::string& warning : cloud.warnings) text += line("warning", warning);
   session.bar().erase();
   fmt::print("{}", text);
 }
@@ -87,8 +93,8 @@ void add_info(CLI::App& tool) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App& command = add_subcommand(
       tool, "info",
-      "Tell what a file of points holds: counts, box, properties, points that can not be used, "
-      "spacing.",
+      "Tell what a file of points holds: format, columns taken for x, y and z, unit, extent, counts, "
+      "properties, points that can not be used, spacing.",
       "rimline info scan.ply");
   add_input(command, arguments->input);
   add_common(command, arguments->common);

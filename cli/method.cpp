@@ -19,7 +19,7 @@ std::vector<Output> outputs_of(const MethodArguments& arguments, const Output& m
 }
 
 Inputs read_inputs(const MethodArguments& arguments, Session& session) {
-  if (arguments.input == "-" && arguments.use_loops == "-") {
+  if (arguments.input.path == "-" && arguments.use_loops == "-") {
     throw Error(ErrorCode::BadOption, "IN and --use-loops can not both be standard input");
   }
   if (arguments.reference == "-") {
@@ -27,7 +27,7 @@ Inputs read_inputs(const MethodArguments& arguments, Session& session) {
   }
   session.clock().enter(Stage::Read);
   Inputs inputs;
-  inputs.cloud = read_cloud(arguments.input, session.run());
+  inputs.cloud = read_cloud(arguments.input.path, arguments.input.filter, session.run());
   inputs.given.normals = inputs.cloud.normals();
   if (!arguments.use_loops.empty()) {
     inputs.given.loops = read_loops(arguments.use_loops, inputs.cloud.points.size());
@@ -57,6 +57,12 @@ void add_costs(std::vector<StageCost>& stages, const std::vector<StageCost>& aro
 }
 
 }  // namespace
+
+Report told(const Inputs& inputs, Report report) {
+  const auto& warnings = inputs.cloud.warnings;
+  report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
+  return report;
+}
 
 void finish(const MethodArguments& arguments, const std::vector<Output>& outputs, const Scene& scene,
             Report report, Session& session) {

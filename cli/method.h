@@ -24,6 +24,9 @@ std::vector<Output> outputs_of(const MethodArguments& arguments, const Output& m
 // The points, their normals and the boundary made by hand, where there is one.
 Inputs read_inputs(const MethodArguments& arguments, Session& session);
 
+// The report with what the reader of the points had to say before its own warnings.
+Report told(const Inputs& inputs, Report report);
+
 // Writes the loops, the picture and the report, as far as they were asked for, then prints the summary. The
 // stages Read and Write join those of the report; Write has grown by what came since session.clock() entered
 // it, less the report itself.

@@ -25,7 +25,7 @@ void run_parameterize(const MethodArguments& arguments) {
           .uv = result.uv,
           .up = arguments.up,
           .panel_size = arguments.picture_size},
-         result.boundary.report, session);
+         told(in, result.boundary.report), session);
 }
 
 }  // namespace

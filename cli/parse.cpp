@@ -119,6 +119,20 @@ std::array<Index, 4> parse_corners(const std::string& flag, const std::string& t
   return {ids[0], ids[1], ids[2], ids[3]};
 }
 
+std::vector<int> parse_classes(const std::string& flag, const std::string& text) {
+  constexpr int most = 255;
+  std::vector<int> classes;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto number = whole_text<int>(text.substr(begin, end - begin));
+    if (!number || *number < 0 || *number > most)
+      refuse(flag, "classes from 0 to 255 with commas between, such as 2 or 2,8", text);
+    classes.push_back(*number);
+    begin = end + 1;
+  }
+  return classes;
+}
+
 std::size_t parse_choice(const std::string& flag, const std::string& text,
                          const std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), text);

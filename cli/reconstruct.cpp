@@ -43,7 +43,10 @@ void run_reconstruct(const MethodArguments& arguments) {
   put_map_columns(in.cloud, result.uv, result.boundary.boundary);
   if (!result.patch.empty()) set_column(in.cloud, make_column("component", result.patch));
   const std::vector<Column> face_columns = put_mesh_columns(arguments, result, in.cloud);
-  write_mesh(arguments.output, in.cloud, result.triangles, session.run(), face_columns);
+  const WrittenMesh written =
+      write_mesh(arguments.output, in.cloud, result.triangles, session.run(), face_columns);
+  Report report = told(in, result.boundary.report);
+  report.warnings.insert(report.warnings.end(), written.notices.begin(), written.notices.end());
   finish(arguments, outputs,
          {.points = in.cloud.points,
           .boundary = result.boundary,
@@ -51,7 +54,7 @@ void run_reconstruct(const MethodArguments& arguments) {
           .triangles = result.triangles,
           .up = arguments.up,
           .panel_size = arguments.picture_size},
-         result.boundary.report, session);
+         report, session);
 }
 
 }  // namespace

@@ -37,7 +37,11 @@ struct Cloud {
   std::vector<Point> points;
   Scalar coordinate_type = Scalar::Float64;  // Float32 where the file stores floats: written back as such
   std::vector<Column> columns;               // all other properties, in the order of the file
-  std::string format = {};                   // what the file was, for people: "PLY, ascii"; may be empty
+  // What the file was, for people; each may be empty.
+  std::string format = {};       // "PLY, ascii"
+  std::string coordinates = {};  // what became x, y and z: "Easting, Northing, Height (columns 2, 3, 4)"
+  std::string unit = {};         // of the coordinates, where the file tells: "m"
+  std::vector<std::string> warnings = {};  // what had to be guessed and how, and what a reader should know
 
   // The column of that name, or nullptr.
   const Column* find(std::string_view name) const;

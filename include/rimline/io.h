@@ -18,6 +18,23 @@ namespace rimline {
 // them. Throws CannotRead, naming the file, the line or byte, and what to do.
 Cloud read_cloud(const std::string& path, const Run& run);
 
+// Returns of one pulse: all; the first; the last; those of pulses with one alone.
+enum class Returns { All, First, Last, Only };
+const char* name(Returns returns);
+
+struct PointFilter {
+  std::vector<int> classes = {};   // of the property classification, 0 to 255; empty for all
+  Returns returns = Returns::All;  // by return_number and number_of_returns
+};
+
+// Keeps the points that pass. Where some do not, Cloud::warnings tells how many, and the column file_index
+// (uint) the place of each in the file, from 0. `file` is named in messages. Throws CannotRead where the
+// cloud lacks a property that is asked for, or no point passes.
+void filter_points(Cloud& cloud, const PointFilter& filter, const std::string& file);
+
+// read_cloud, then filter_points.
+Cloud read_cloud(const std::string& path, const PointFilter& filter, const Run& run);
+
 // Points with triangles over them.
 struct MeshFile {
   Cloud cloud;
@@ -33,11 +50,17 @@ MeshFile read_mesh(const std::string& path, const Run& run);
 // Throws CannotWrite.
 void write_cloud(const std::string& path, const Cloud& cloud, const Run& run);
 
+// How a mesh had to be changed for its format.
+struct WrittenMesh {
+  Point offset;                           // was taken off all coordinates: zero, but for STL
+  std::vector<std::string> notices = {};  // sentences for people, which name the offset
+};
+
 // Writes points and triangles (ids within the cloud) in the format of the ending, one of
 // written_endings(FormatUse::WriteMesh); "-" is PLY. The ending is checked by check_mesh_path before any
 // work. Throws CannotWrite. `face_columns`, one value per triangle, are kept in PLY alone.
-void write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
-                const Run& run, const std::vector<Column>& face_columns = {});
+WrittenMesh write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
+                       const Run& run, const std::vector<Column>& face_columns = {});
 
 // Throws BadOption where write_mesh does not know the ending; the message lists those it knows.
 void check_mesh_path(const std::string& path);

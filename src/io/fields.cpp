@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <map>
 #include <set>
 
 #include "base/parallel.h"
@@ -95,6 +97,8 @@ const Field* find_field(const std::vector<Field>& fields, std::string_view name)
 
 const Field& coordinate_field(const std::vector<Field>& fields, std::string_view name, const Source& source) {
   if (const Field* field = find_field(fields, name)) return *field;
+  const char capital = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+  if (const Field* field = find_field(fields, std::string(1, capital))) return *field;
   std::string names;
   for (const Field& field : fields) names += (names.empty() ? "" : " ") + field.name;
   source.fail("the points have no property " + quoted(name) + "; it has " + quoted(names) +
@@ -170,6 +174,7 @@ Cloud cloud_from_fields(const std::vector<Field>& fields, std::size_t count, boo
       std::all_of(xyz.begin(), xyz.end(), [](auto* f) { return f->type == FieldType::Float32; });
   Cloud cloud;
   cloud.coordinate_type = floats ? Scalar::Float32 : Scalar::Float64;
+  cloud.coordinates = xyz[0]->name + ", " + xyz[1]->name + ", " + xyz[2]->name;
   cloud.points.resize(count);
   std::vector<Field> others;
   for (const Field& field : fields) {
@@ -197,10 +202,19 @@ Cloud cloud_from_fields(const std::vector<Field>& fields, std::size_t count, boo
   return cloud;
 }
 
+void values_of_field(const Field& field, std::size_t count, bool swap_bytes, double* to, std::size_t stride) {
+  with_type(field.type, [&](auto value) {
+    using T = decltype(value);
+    const char* from = field.first;
+    for (std::size_t i = 0; i < count; ++i, from += field.stride, to += stride)
+      *to = static_cast<double>(swap_bytes ? load_value<T, true>(from) : load_value<T, false>(from));
+  });
+}
+
 std::size_t lay_out(std::vector<Field>& fields, const char* first) {
   std::size_t size = 0;
   for (Field& field : fields) {
-    field.first = first + size;
+    field.first = first == nullptr ? nullptr : first + size;
     size += size_in_bytes(field.type);
   }
   for (Field& field : fields) field.stride = size;
@@ -218,14 +232,15 @@ bool read_value(Row& row, FieldType type, char* to) {
 
 void make_names_usable(std::vector<Column>& columns) {
   std::set<std::string> taken = {"x", "y", "z"};
+  std::map<std::string, int> copies;  // of a name so far: the next number to try
   for (Column& column : columns) {
     for (char& c : column.name) {
       if (static_cast<unsigned char>(c) <= ' ' || c == '\x7f') c = '_';
     }
     if (column.name.empty()) column.name = "unnamed";
     const std::string wanted = column.name;
-    for (int copy = 2; !taken.insert(column.name).second; ++copy)
-      column.name = wanted + "_" + std::to_string(copy);
+    int& copy = copies.try_emplace(wanted, 2).first->second;
+    while (!taken.insert(column.name).second) column.name = wanted + "_" + std::to_string(copy++);
   }
 }
 

@@ -29,11 +29,14 @@ struct Field {
 // Throws CannotRead where the points are too many for an Index.
 void check_point_count(const Source& source, std::uint64_t count);
 
-// Points from the fields x, y, z (float only if all three are), columns from all others, in order. Int64 and
-// UInt64 become double where no value loses by it, else two columns NAME_low and NAME_high (uint, int).
-// The caller has checked that every field has `count` values.
+// Points from the fields x, y, z (X, Y, Z where there are none; float only if all three are), columns from
+// all others, in order. Int64 and UInt64 become double where no value loses by it, else two columns NAME_low
+// and NAME_high (uint, int). The caller has checked that every field has `count` values.
 Cloud cloud_from_fields(const std::vector<Field>& fields, std::size_t count, bool swap_bytes,
                         const Source& source, const Run& run);
+
+// The numbers of one field, `stride` apart in `to`.
+void values_of_field(const Field& field, std::size_t count, bool swap_bytes, double* to, std::size_t stride);
 
 // Lays fields of the given names and types one after the other in records at `first`; returns their size.
 std::size_t lay_out(std::vector<Field>& fields, const char* first);

@@ -39,9 +39,12 @@ Point offset_for_floats(const Cloud& cloud) {
     if (is_finite(p)) lost = std::max(lost, norm(as_floats(p) - p));
   }
   if (!(lost > allowed * diagonal)) return {};
-  const double step = std::pow(10.0, std::floor(std::log10(diagonal)));  // of round numbers
+  // To a digit of the diagonal's size, in decimal: 5400000.8, not 5400000.800000001.
+  const double digit = std::floor(std::log10(diagonal));
+  const double step = std::pow(10.0, std::abs(digit));
   const auto round = [&](double low, double high) {
-    const double rounded = step * std::round((low + (high - low) / 2) / step);
+    const double middle = low + (high - low) / 2;
+    const double rounded = digit < 0 ? std::round(middle * step) / step : std::round(middle / step) * step;
     return std::isfinite(rounded) ? rounded : low;
   };
   return {round(box.low.x, box.high.x), round(box.low.y, box.high.y), round(box.low.z, box.high.z)};

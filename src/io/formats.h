@@ -22,10 +22,12 @@ struct Format {
   const char* start = nullptr;
   Cloud (*read)(const Source&, const Run&) = nullptr;
   void (*read_faces)(const Source&, const Cloud&, Faces&) = nullptr;
-  void (*write_mesh)(SafeFile&, const MeshToWrite&, const Run&) = nullptr;
+  Point (*write_mesh)(SafeFile&, const MeshToWrite&, const Run&) = nullptr;
   void (*write_loops)(SafeFile&, const LoopsToWrite&) = nullptr;
 };
 
+// The table; format_table.cpp.
+std::vector<Format> make_formats();
 const std::vector<Format>& formats();
 
 // The format of a source by its content, then its ending. Throws CannotRead with what to do where it is none

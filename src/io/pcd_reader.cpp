@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "io/column_names.h"
 #include "io/fields.h"
 #include "io/lzf.h"
 #include "io/readers.h"
@@ -114,12 +115,13 @@ std::uint64_t point_count(const PcdHeader& header, const Source& source) {
   return count;
 }
 
-// The Point Cloud Library's names of a normal, in those of PLY.
+// The Point Cloud Library's names of a normal, and PDAL's of colours (X Y Z, Red Green Blue), in those of
+// PLY.
 std::string ply_name(const std::string& name) {
   if (name == "normal_x") return "nx";
   if (name == "normal_y") return "ny";
   if (name == "normal_z") return "nz";
-  return name;
+  return column_name(name);
 }
 
 // One Field for each number of a record: a PCD field may hold several. Padding, named "_", is included.

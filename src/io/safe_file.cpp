@@ -109,7 +109,7 @@ SafeFile::SafeFile(std::string path) : path_(std::move(path)), buffer_(buffer_si
     return;
   }
   target_ = follow_links(path_);
-  struct stat status{};
+  struct stat status {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {
     errno = EISDIR;
@@ -218,7 +218,7 @@ void SafeFile::commit() {
 }  // namespace io
 
 bool is_stream(const std::string& path) {
-  struct stat status{};
+  struct stat status {};
   return path == "-" ||
          (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode));
 }

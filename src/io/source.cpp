@@ -11,6 +11,8 @@
 #include <cstring>
 #include <utility>
 
+#include "io/gzip.h"
+
 namespace rimline::io {
 namespace {
 
@@ -135,8 +137,9 @@ Source load(const std::string& path, const Run& run) {
     check_limit(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)), name, run);
     // Standard input may stand in the middle of a file, and files of the kernel say 0.
     const bool sized = S_ISREG(status.st_mode) && status.st_size > 0 && path != "-";
-    return sized ? load_file(descriptor.value(), static_cast<std::size_t>(status.st_size), name, run)
-                 : load_stream(descriptor.value(), name, run);
+    Source source = sized ? load_file(descriptor.value(), static_cast<std::size_t>(status.st_size), name, run)
+                          : load_stream(descriptor.value(), name, run);
+    return is_gzip(source.bytes()) ? unpack_gzip(source, run) : std::move(source);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::OutOfMemory, name + ": does not fit into memory; read a part of it");
   }

@@ -22,6 +22,9 @@ class Source {
       : name_(std::move(name)), storage_(std::move(storage)), bytes_(storage_.get(), size) {}
 
   const std::string& name() const { return name_; }
+  // How the file was packed ("gzip"); empty where these are its own bytes.
+  const std::string& packing() const { return packing_; }
+  void set_packing(std::string packing) { packing_ = std::move(packing); }
   std::string_view bytes() const { return bytes_; }
   const char* begin() const { return bytes_.data(); }
   const char* end() const { return bytes_.data() + bytes_.size(); }
@@ -39,12 +42,13 @@ class Source {
   [[noreturn]] void fail_at_byte(const char* at, const std::string& message) const;
 
  private:
-  std::string name_;
+  std::string name_, packing_;
   std::unique_ptr<char[]> storage_;
   std::string_view bytes_;
 };
 
-// Loads a whole file, or standard input for "-". Throws CannotRead, OutOfMemory, Cancelled.
+// Loads a whole file, or standard input for "-", and unpacks it where it is gzip. Throws CannotRead,
+// OutOfMemory, Cancelled.
 Source load(const std::string& path, const Run& run);
 
 // Text from the input, fit to be quoted in a message: cut short, without control characters.

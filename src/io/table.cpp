@@ -46,12 +46,10 @@ bool are_bytes(const Table& table, std::size_t first, std::size_t count) {
   return true;
 }
 
-Cloud cloud_from_table(const Table& table, const Source& source, const Run& run) {
-  const auto column_of = [&](const char* name) {
-    return static_cast<std::size_t>(std::find(table.names.begin(), table.names.end(), name) -
-                                    table.names.begin());
-  };
-  const std::size_t x = column_of("x"), y = column_of("y"), z = column_of("z"), width = table.width();
+Cloud cloud_from_table(const Table& table, std::array<std::size_t, 3> coordinates, const Source& source,
+                       const Run& run) {
+  const auto [x, y, z] = coordinates;
+  const std::size_t width = table.width();
   check_point_count(source, table.rows());
   Cloud cloud;
   cloud.points.resize(table.rows());
@@ -68,6 +66,14 @@ Cloud cloud_from_table(const Table& table, const Source& source, const Run& run)
   }
   make_names_usable(cloud.columns);
   return cloud;
+}
+
+Cloud cloud_from_table(const Table& table, const Source& source, const Run& run) {
+  const auto column_of = [&](const char* name) {
+    return static_cast<std::size_t>(std::find(table.names.begin(), table.names.end(), name) -
+                                    table.names.begin());
+  };
+  return cloud_from_table(table, {column_of("x"), column_of("y"), column_of("z")}, source, run);
 }
 
 }  // namespace rimline::io

@@ -32,6 +32,19 @@ std::string compressed_pcd() {
          bytes_of(static_cast<std::uint32_t>(bytes.size())) + packed;
 }
 
+std::string glb() {
+  std::string json =
+      R"({"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":[1,2,3],"children":[1]},{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"COLOR_0":1,"NORMAL":0},"mode":0}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},
+{"bufferView":0,"byteOffset":8,"componentType":5121,"count":4,"type":"VEC4","normalized":true}],
+"bufferViews":[{"buffer":0,"byteLength":48}],"buffers":[{"byteLength":48}]})";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto number = [](std::size_t n) { return bytes_of(static_cast<std::uint32_t>(n)); };
+  return "glTF" + number(2) + number(28 + json.size() + 48) + number(json.size()) + "JSON" + json +
+         number(48) + std::string("BIN\0", 4) + floats(12);
+}
+
 std::vector<Sample> samples() {
   const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
   const std::string lists = "element a 2\nproperty list uchar short l\nelement vertex 3\n" + xyz +
@@ -56,6 +69,17 @@ std::vector<Sample> samples() {
       {"a.xyz", "# head\n3\n1 2 3 0.5\n4,5,6,7\n7;8;9;1e5\n"},
       {"a.csv", "x,y,z,Scan angle,\"R\",G,B\n1,2,3,4,5,6,7\n1,nan,3,4,255,255,255\n"},
       {"a.obj", "mtllib a\nv 1 2 3 0.5 0.5 1\nv 4 5 6 1 1 1\nvn 0 0 1\nvn 1 0 0\nf 1//1 -1//-1 2/1/2\n"},
+      {"a.ptx",
+       "1\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n5 0 0 1\n1 2 3 0.5 1 2 3\n0 0 0 "
+       "0.5 0 0 0\n"},
+      {"a.npy", std::string("\x93NUMPY\x01\x00\x46\x00", 10) +
+                    "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 4), }          \n" + floats(12)},
+      {"a.npy",
+       std::string("\x93NUMPY\x01\x00\x71\x00", 10) +
+           "{'descr': [('x', '<f4'), ('y', '<f4'), ('z', '<f4'), ('c', '|u1')], 'fortran_order': False, "
+           "'shape': (2,), }    \n" +
+           floats(6) + "ab"},
+      {"a.glb", glb()},
       {"a.off", "STCNOFF\n2 1 0\n1 2 3 0 0 1 255 0 0 0.5 0.5\n4 5 6 0 0 1 1 2 3 0.5 0.5\n3 0 1 1\n"},
       {"a.pcd",
        "# .PCD v0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS "

@@ -12,7 +12,7 @@ TEST_CASE("a mesh is read back from every format that it is written in") {
   Cloud cloud;
   cloud.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0.5}};
   const std::vector<Triangle> triangles = {{0, 1, 2}, {0, 2, 3}};
-  for (const char* ending : {"ply", "obj", "off", "stl"}) {
+  for (const char* ending : {"ply", "obj", "off", "stl", "glb"}) {
     CAPTURE(ending);
     const TemporaryDirectory folder;
     const std::string path = folder.file(std::string("mesh.") + ending);
@@ -71,6 +71,29 @@ TEST_CASE("a mesh without faces, or whose faces name no vertex, is refused") {
                       "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
                       "0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n");
   CHECK_THROWS_AS(read_mesh(cut, {}), Error);
+}
+
+TEST_CASE("a face that names no vertex is told by its line or byte, with the remedy") {
+  const TemporaryDirectory folder;
+  const auto message = [&](const std::string& name, const std::string& text) -> std::string {
+    try {
+      read_mesh(folder.file(name, text), {});
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "was read";
+  };
+  const std::string remedy = "correct the face, or export the mesh again";
+  const std::string obj = message("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 9\n");
+  CHECK(contains(obj, "a.obj, line 5: a face names the vertex 9, but the file has 3 vertices; " + remedy));
+  const std::string off = message("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n");
+  CHECK(contains(off, "a.off, line 6: a face names the vertex 3, but the file has 3 vertices; " + remedy));
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "end_header\n";
+  CHECK(
+      contains(message("a.ply", header + "0 0 0\n3 0 0 -1\n"), "a.ply, line 11: a face names the vertex -1"));
 }
 
 }  // namespace rimline

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/cells.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "io/lines.h"
+
+namespace rimline::io {
+namespace {
+
+// Reads a number with a decimal point, or with a decimal comma.
+const char* read_decimal(const char* at, const char* end, CellStyle style, double& value) {
+  if (!style.decimal_commas) return read_number(at, end, value);
+  if (at < end && *at == '+' && at + 1 < end && at[1] != '-' && at[1] != '+') ++at;
+  const fast_float::parse_options options(fast_float::chars_format::general, ',');
+  const auto result = fast_float::from_chars_advanced(at, end, value, options);
+  return result.ec == std::errc::invalid_argument ? nullptr : result.ptr;
+}
+
+std::string_view without_quotes(std::string_view cell) {
+  const bool quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+  return quoted ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+// "3,5": digits, one comma, digits.
+bool is_decimal_comma(std::string_view cell) {
+  const std::size_t comma = cell.find(',');
+  if (comma == std::string_view::npos || comma == 0 || comma + 1 == cell.size()) return false;
+  return std::all_of(cell.begin() + static_cast<std::ptrdiff_t>(comma) + 1, cell.end(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; }) &&
+         is_number(cell.substr(0, comma), {}) && cell.substr(0, comma).find('.') == std::string_view::npos;
+}
+
+// Whether the line writes decimal commas: three cells or more, each an integer or a decimal comma, the latter
+// at least twice, or once where semicolons or tabs part the cells.
+bool has_decimal_commas(std::string_view line) {
+  const std::size_t enough = line.find_first_of(";\t") != std::string_view::npos ? 1 : 2;
+  std::size_t commas = 0;
+  const auto cells = split(line, {.decimal_commas = true});
+  for (const std::string_view cell : cells) {
+    if (is_decimal_comma(cell)) {
+      ++commas;
+    } else if (!is_number(cell, {}) || cell.find('.') != std::string_view::npos) {
+      return false;
+    }
+  }
+  return cells.size() >= 3 && commas >= enough;
+}
+
+}  // namespace
+
+bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with("//"); }
+
+std::vector<std::string_view> split(std::string_view line, CellStyle style) {
+  std::vector<std::string_view> cells;
+  const char* end = line.data() + line.size();
+  const char* at = skip_blanks(line.data(), end);
+  while (at < end) {
+    const char* first = at;
+    while (at < end && !is_blank(*at) && !style.parts(*at)) ++at;
+    cells.push_back(without_quotes({first, static_cast<std::size_t>(at - first)}));
+    at = skip_blanks(at, end);
+    if (at < end && style.parts(*at)) at = skip_blanks(at + 1, end);
+  }
+  return cells;
+}
+
+bool is_number(std::string_view cell, CellStyle style) {
+  double value = 0;
+  const char* end = cell.data() + cell.size();
+  return !cell.empty() && read_decimal(cell.data(), end, style, value) == end;
+}
+
+CellStyle style_of(std::string_view text) {
+  constexpr int most_lines = 1000;
+  Lines lines(text);
+  std::string_view line;
+  for (int i = 0; i < most_lines && lines.next_filled(line); ++i) {
+    line = trimmed(line);
+    if (is_comment(line)) continue;
+    if (has_decimal_commas(line)) return {.decimal_commas = true};
+    const auto cells = split(line, {});
+    const bool points = std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
+      return is_number(cell, {}) && cell.find('.') != std::string_view::npos;
+    });
+    if (points) return {};
+  }
+  return {};
+}
+
+bool read_cells(std::string_view line, std::size_t width, CellStyle style, std::vector<double>& values) {
+  const char* end = line.data() + line.size();
+  const char* at = skip_blanks(line.data(), end);
+  for (std::size_t i = 0; i < width; ++i) {
+    double value = 0;
+    const bool in_quotes = at < end && *at == '"';
+    const char* after = read_decimal(at + (in_quotes ? 1 : 0), end, style, value);
+    if (after == nullptr || (in_quotes && (after == end || *after++ != '"'))) return false;
+    values.push_back(value);
+    at = skip_blanks(after, end);
+    if (at == end) return i + 1 == width;
+    if (style.parts(*at)) {
+      at = skip_blanks(at + 1, end);
+    } else if (at == after) {
+      return false;
+    }
+  }
+  return at == end;
+}
+
+}  // namespace rimline::io

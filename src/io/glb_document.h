@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a glTF 2.0 binary holds, checked: its JSON, its buffer, and the primitives that its scene shows.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "io/fields.h"
+
+namespace rimline::io {
+
+// Columns of a matrix of four by four, as glTF has them.
+using GlbMatrix = std::array<double, 16>;
+
+// One accessor: `width` numbers an item.
+struct GlbAccessor {
+  FieldType type = FieldType::Float32;
+  std::size_t count = 0, width = 1, stride = 0;
+  bool normalized = false;
+  const char* first = nullptr;
+
+  double value(std::size_t item, std::size_t number) const;
+};
+
+class GlbDocument {
+ public:
+  // Throws CannotRead, also for compressed geometry and data outside of the file.
+  explicit GlbDocument(const Source& source);
+
+  using Visit = std::function<void(const nlohmann::json& primitive, const GlbMatrix& place)>;
+  // Calls visit for each primitive of the scene (or of all meshes, where there is no scene), in order.
+  void visit_primitives(const Visit& visit) const;
+
+  // The accessor of that number in a primitive's description.
+  GlbAccessor accessor(const nlohmann::json& number) const;
+
+  [[noreturn]] void fail(const std::string& message) const;
+
+ private:
+  void visit_node(std::size_t node, const GlbMatrix& above, int depth, const Visit& visit,
+                  std::size_t& nodes_left) const;
+  void visit_mesh(std::size_t mesh, const GlbMatrix& place, const Visit& visit) const;
+  const nlohmann::json& entry(const char* list, const nlohmann::json& number) const;
+  std::size_t whole(const nlohmann::json& object, const char* key, std::size_t otherwise) const;
+
+  const Source& source_;
+  nlohmann::json json_;
+  std::string_view buffer_;
+};
+
+}  // namespace rimline::io
