@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""mypy --strict over the tests and the package as it is installed."""
+from __future__ import annotations
+
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+import rimline
+
+
+def mypy(*arguments: object, cwd: pathlib.Path) -> None:
+    pytest.importorskip("mypy")
+    pytest.importorskip("pyvista")
+    run = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "--config-file", os.devnull, "--cache-dir", cwd / "cache",
+         *map(str, arguments)],
+        cwd=cwd, capture_output=True, text=True,
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_the_tests(source: pathlib.Path, tmp_path: pathlib.Path) -> None:
+    mypy(source / "python/tests", cwd=tmp_path)
+
+
+def test_the_package(tmp_path: pathlib.Path) -> None:
+    mypy("-p", "rimline", "--disable-error-code", "import-untyped", "--disable-error-code", "import-not-found", cwd=tmp_path)
+
+
+WRONG = """
+import numpy as np
+import rimline
+from typing_extensions import assert_type
+from rimline.typing import UV, Triangles
+
+result = rimline.reconstruct(np.zeros((5, 3)), domain="free", k=30)
+assert_type(result.faces, Triangles)
+assert_type(result.uv, UV)
+rimline.reconstruct(np.zeros((5, 3)), domain="fre")
+rimline.reconstruct(np.zeros((5, 3)), neighbors=3)
+rimline.reconstruct(np.zeros((5, 3)), k="x")
+"""
+
+
+def test_stubs_know_options_and_shapes(tmp_path: pathlib.Path) -> None:
+    (tmp_path / "wrong.py").write_text(WRONG)
+    pytest.importorskip("mypy")
+    run = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "--config-file", os.devnull, "--cache-dir", tmp_path / "cache", "wrong.py"],
+        cwd=tmp_path, capture_output=True, text=True,
+    )
+    lines = [line.split(":")[1] for line in run.stdout.splitlines() if ": error:" in line]
+    assert lines == ["10", "11", "12"], run.stdout
+    assert (pathlib.Path(rimline.__file__).parent / "py.typed").exists()
