@@ -81,7 +81,8 @@ def ratio_row(what, aim, numerator, denominator, least=True):
         return [what, aim, "not measured", ""]
     ratio = numerator / denominator
     bound = float(aim.split()[-1])
-    return [what, aim, f"{ratio:.2f}", "yes" if (ratio >= bound if least else ratio <= bound) else "**no**"]
+    digits = 3 if bound < 1.1 else 2
+    return [what, aim, f"{ratio:.{digits}f}", "yes" if (ratio >= bound if least else ratio <= bound) else "**no**"]
 
 
 def cloud_aims(r, cloud, points):
@@ -119,6 +120,7 @@ def aims(r):
                   r.wall("reconstruct", "rimline", "sheet", tenth, 2)),
         ratio_row("start of the tool, milliseconds", "at most 30", 1000 * statistics.median(r.data["start"]), 1, False),
     ]
+    rows += python_rows(r)
     big = r.find("reconstruct", "rimline", "sheet", ten)
     rows.append(ratio_row("reconstruct, 10,000,000: peak memory, GB", "at most 16",
                           max(big["peak_mb"]) / 1024 if big else None, 1, False))
@@ -129,6 +131,21 @@ def aims(r):
             rows.append(ratio_row(f"{name}: time at 10,000,000 / at 1,000,000", f"n log n: at most {bound:.1f}",
                                   after[name][0], before[name][0], False))
     return table(["what", "aim", "measured", "met"], rows)
+
+
+def python_rows(r):
+    """What the binding adds to the stages of the same call, and the call beside the tool's own stages."""
+    rows = []
+    python = r.data.get("python") or {}
+    for work in ("boundary", "reconstruct"):
+        runs = python.get(work, [])
+        middle = {name: statistics.median(run[name] for run in runs) for name in (runs[0] if runs else {})}
+        name = f"{work} from Python, sheet, {python.get('points', 0):,}: the call / "
+        if middle:
+            rows.append(ratio_row(name + "the stages in it", "at most 1.03", middle["call"], middle["stages"], False))
+        if "tool" in middle:
+            rows.append(ratio_row(name + "the tool's own stages, without write", "at most 1.03", middle["method"], middle["tool"], False))
+    return rows
 
 
 def processes(r):
