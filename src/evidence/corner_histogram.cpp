@@ -22,8 +22,9 @@ bool is_jagged(Points points, const std::vector<Index>& rim) {
 
 }  // namespace
 
-CornerHistogram::CornerHistogram(const TriangleSet& set, LocalSizes& sizes, const Neighbours& neighbours,
-                                 const std::vector<std::vector<Index>>& rims, const Selection& selected) {
+CornerHistogram::CornerHistogram(const TriangleSet& set, const LocalSizes& sizes,
+                                 const Neighbours& neighbours, const std::vector<std::vector<Index>>& rims,
+                                 const Selection& selected) {
   std::vector<std::uint8_t> on_rim(set.vertices(), 0), near(set.vertices(), 0);
   for (const auto& rim : rims) {
     for (const Index v : rim) on_rim[v] = 1;

@@ -19,7 +19,7 @@ class CornerHistogram {
  public:
   CornerHistogram() = default;
   // Counts the corners of the selected triangles near jagged rims that touch no rim.
-  CornerHistogram(const TriangleSet& set, LocalSizes& sizes, const Neighbours& neighbours,
+  CornerHistogram(const TriangleSet& set, const LocalSizes& sizes, const Neighbours& neighbours,
                   const std::vector<std::vector<Index>>& rims, const Selection& selected);
 
   // Minus the logarithm of the share of these corners that are about as wide or wider, in radians, in

@@ -25,7 +25,7 @@ double cost(double turn, const FitnessModel& w) {
 
 }  // namespace
 
-double ear_log_odds(const TriangleSet& set, LocalSizes& sizes, const FitnessModel& weights,
+double ear_log_odds(const TriangleSet& set, const LocalSizes& sizes, const FitnessModel& weights,
                     const std::array<Index, 5>& run) {
   const auto [before, a, b, c, after] = run;
   const Triangle triangle{a, b, c};
@@ -40,7 +40,7 @@ double ear_log_odds(const TriangleSet& set, LocalSizes& sizes, const FitnessMode
   return weights.open + weights.size * ratio + weights.own * own - open + filled;
 }
 
-double false_ear_log_odds(const TriangleSet& set, LocalSizes& sizes, const CornerHistogram& usual,
+double false_ear_log_odds(const TriangleSet& set, const LocalSizes& sizes, const CornerHistogram& usual,
                           const Triangle& ear, double jaggedness) {
   const Points p = set.points();
   const double angle = angle_at(p[ear[0]], p[ear[1]], p[ear[2]]);

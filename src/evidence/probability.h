@@ -15,14 +15,14 @@ namespace rimline {
 
 // What the fitness of the rim would lose if the ear at the middle of five points in a row along it were
 // filled by a triangle: its log odds to be open. Large where there is no ear.
-double ear_log_odds(const TriangleSet& set, LocalSizes& sizes, const FitnessModel& weights,
+double ear_log_odds(const TriangleSet& set, const LocalSizes& sizes, const FitnessModel& weights,
                     const std::array<Index, 5>& run);
 
 // The same for the ear a, behind, b of a jagged rim: by how wide the rim's edge a, b is seen from the point
 // behind it, how rare corners as wide in triangles as large are on the surface behind the rims, and how
 // jagged the rim is. Where a piece is cut out of a surface, triangles are missing, and what is put in their
 // place is obtuse.
-double false_ear_log_odds(const TriangleSet& set, LocalSizes& sizes, const CornerHistogram& usual,
+double false_ear_log_odds(const TriangleSet& set, const LocalSizes& sizes, const CornerHistogram& usual,
                           const Triangle& ear, double jaggedness);
 
 // That a rim is a boundary of the surface and not the end of what could be triangulated: by its number of

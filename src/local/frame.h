@@ -17,6 +17,9 @@ struct Frame {
   double thickness = 0;  // least over middle eigenvalue of the covariance, in [0, 1]: 0 is flat
 };
 
+// Whether the neighbourhood is no patch: the surface folds there, or two sheets are close.
+inline bool is_folded(const Frame& frame) { return frame.thickness > 0.15; }
+
 // Principal directions of the point and the given others.
 Frame fit_frame(Points points, std::span<const Index> others, Index point);
 

@@ -19,7 +19,8 @@ constexpr double plainly_too_large = 0.8;
 // Whether a triangle is out of doubt for the gaps at its corners.
 class Spared {
  public:
-  Spared(const std::vector<std::uint8_t>& excluded, LocalSizes& sizes) : excluded_(excluded), sizes_(sizes) {}
+  Spared(const std::vector<std::uint8_t>& excluded, const LocalSizes& sizes)
+      : excluded_(excluded), sizes_(sizes) {}
 
   bool may_be(const Triangle& x) const { return excluded_[x[0]] || excluded_[x[1]] || excluded_[x[2]]; }
   bool operator()(const Triangle& x) const {
@@ -28,7 +29,7 @@ class Spared {
 
  private:
   const std::vector<std::uint8_t>& excluded_;
-  LocalSizes& sizes_;
+  const LocalSizes& sizes_;
 };
 
 // The vertices of the triangles, ascending.
@@ -44,7 +45,7 @@ std::vector<Index> vertices_of(const TriangleSet& set, const std::vector<Index>&
 }
 
 // The triangles that doubt starts from, ascending.
-std::vector<Index> first_candidates(const TriangleSet& set, LocalSizes& sizes, const Spared& is_spared,
+std::vector<Index> first_candidates(const TriangleSet& set, const LocalSizes& sizes, const Spared& is_spared,
                                     double doubtful, const Run& run) {
   // Limits tell that most triangles are nothing unusual.
   sizes.find_limits(far_from_usual, run);
@@ -78,7 +79,7 @@ std::vector<Index> see_beside(const TriangleSet& set, const std::vector<Index>& 
 }
 
 // Finds the sizes at the corners of the triangles, most of which are known.
-void find_missing(const TriangleSet& set, const std::vector<Index>& triangles, LocalSizes& sizes,
+void find_missing(const TriangleSet& set, const std::vector<Index>& triangles, const LocalSizes& sizes,
                   const Run& run) {
   auto missing =
       parallel_gather<Index>(triangles.size(), Stage::Loops, run, [&](Index i, std::vector<Index>& found) {
@@ -93,7 +94,7 @@ void find_missing(const TriangleSet& set, const std::vector<Index>& triangles, L
 
 // Those of the triangles that are doubtful where doubt is beside them.
 std::vector<Index> more_candidates(const TriangleSet& set, const std::vector<Index>& triangles,
-                                   LocalSizes& sizes, const Spared& is_spared, double doubtful,
+                                   const LocalSizes& sizes, const Spared& is_spared, double doubtful,
                                    const Run& run) {
   find_missing(set, triangles, sizes, run);
   return parallel_gather<Index>(triangles.size(), Stage::Loops, run, [&](Index i, std::vector<Index>& found) {
@@ -102,7 +103,7 @@ std::vector<Index> more_candidates(const TriangleSet& set, const std::vector<Ind
   });
 }
 
-std::vector<Index> candidate_triangles(const TriangleSet& set, LocalSizes& sizes,
+std::vector<Index> candidate_triangles(const TriangleSet& set, const LocalSizes& sizes,
                                        const std::vector<std::uint8_t>& excluded, double doubtful,
                                        const Run& run) {
   const Spared is_spared(excluded, sizes);
@@ -127,7 +128,7 @@ std::uint32_t position(const std::vector<Index>& ids, Index id) {
 
 }  // namespace
 
-Candidates find_candidates(const TriangleSet& set, LocalSizes& sizes,
+Candidates find_candidates(const TriangleSet& set, const LocalSizes& sizes,
                            const std::vector<std::uint8_t>& excluded, const SearchOptions& options,
                            const Run& run) {
   Candidates candidates;

@@ -31,7 +31,7 @@ struct Candidates {
 // Starts from the triangles at the rim that are large for where they are and from those inside that are too
 // large, and takes in what is doubtful beside these. Triangles at a vertex that is marked in `excluded` are
 // left alone, unless they are plainly too large.
-Candidates find_candidates(const TriangleSet& set, LocalSizes& sizes,
+Candidates find_candidates(const TriangleSet& set, const LocalSizes& sizes,
                            const std::vector<std::uint8_t>& excluded, const SearchOptions& options,
                            const Run& run);
 

@@ -2,25 +2,26 @@
 #include "search/false_ears.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <tuple>
+#include <utility>
 
 #include "evidence/jaggedness.h"
 #include "evidence/probability.h"
+#include "evidence/rim_probability.h"
 
 namespace rimline {
 namespace {
+
+using Rims = std::vector<std::vector<Index>>;
 
 struct Ear {
   double log_odds;
   Index triangle, behind;
 };
 
-}  // namespace
-
-std::vector<Index> remove_false_ears(const TriangleSet& set, LocalSizes& sizes, const CornerHistogram& usual,
-                                     const std::vector<std::vector<Index>>& rims, Selection& selected) {
+// One layer of the rims' false ears, the likeliest first.
+std::vector<Ear> find_false_ears(const TriangleSet& set, const Selection& selection, const LocalSizes& sizes,
+                                 const CornerHistogram& corners, const Rims& rims) {
   std::vector<std::uint8_t> on_rim(set.vertices(), 0);
   for (const auto& rim : rims) {
     for (const Index v : rim) on_rim[v] = 1;
@@ -31,24 +32,53 @@ std::vector<Index> remove_false_ears(const TriangleSet& set, LocalSizes& sizes, 
     for (std::size_t i = 0; i < rim.size(); ++i) {
       const Index a = rim[i], b = rim[i + 1 < rim.size() ? i + 1 : 0];
       if (jagged[i] == 0) continue;
-      const Index t = selected_triangle(set, selected, a, b);
+      const Index t = selected_triangle(set, selection, a, b);
       const Index behind = set.apex(t, a, b);
       if (on_rim[behind]) continue;
-      const double odds = false_ear_log_odds(set, sizes, usual, {a, behind, b}, jagged[i]);
+      const double odds = false_ear_log_odds(set, sizes, corners, {a, behind, b}, jagged[i]);
       if (odds > 0) ears.push_back({odds, t, behind});
     }
   }
   std::sort(ears.begin(), ears.end(), [](const Ear& a, const Ear& b) {
     return std::tuple(-a.log_odds, a.triangle) < std::tuple(-b.log_odds, b.triangle);
   });
-  std::vector<Index> opened;
-  for (const Ear& ear : ears) {
-    if (on_rim[ear.behind]) continue;  // a second one would pinch the rim there
-    on_rim[ear.behind] = 1;
-    selected[ear.triangle] = 0;
-    opened.push_back(ear.behind);
+  // A second ear with the same third corner would pinch the rim there.
+  std::erase_if(ears, [&](const Ear& ear) { return std::exchange(on_rim[ear.behind], 1) != 0; });
+  return ears;
+}
+
+}  // namespace
+
+WithoutFalseEars remove_false_ears(const SelectedSurface& surface, const LocalSizes& sizes,
+                                   const Samples& samples, const SamplingProfile& sampling,
+                                   const BoundaryLoopOptions& options, const Run& run) {
+  WithoutFalseEars result{surface.selection, {}, {}};
+  if (sampling.is_range_image || sampling.noise.noise > 0 || sampling.is_random() ||
+      options.rim_generations == 0)
+    return result;
+  const auto boundary_rims = [&] {
+    const RimEvidence evidence{surface.set, result.selection, result.behind, samples, sampling};
+    Rims rims = walk_rims(surface.set, result.selection, run);
+    std::erase_if(rims, [&](const auto& rim) {
+      return static_cast<int>(rim.size()) < options.min_loop ||
+             boundary_probability(rim, evidence, run) < options.min_probability;
+    });
+    return rims;
+  };
+  result.behind.assign(samples.points.size(), 0);
+  Rims rims = boundary_rims();
+  result.corners = CornerHistogram(surface.set, sizes, samples.neighbours, rims, result.selection);
+  // The rim shows how jagged it is only when the first ears are gone, and what is behind them.
+  constexpr int layers = 2;
+  for (int layer = 1;; ++layer) {
+    const std::vector<Ear> ears = find_false_ears(surface.set, result.selection, sizes, result.corners, rims);
+    for (const Ear& ear : ears) {
+      result.selection[ear.triangle] = 0;
+      result.behind[ear.behind] = 1;
+    }
+    if (ears.empty() || layer == layers) return result;
+    rims = boundary_rims();
   }
-  return opened;
 }
 
 }  // namespace rimline

@@ -2,20 +2,31 @@
 // The teeth of jagged rims.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "evidence/corner_histogram.h"
+#include "local/samples.h"
+#include "local/sampling_profile.h"
+#include "rimline/options.h"
+#include "search/select.h"
 #include "surface/local_size.h"
-#include "surface/rims.h"
-#include "surface/triangle_set.h"
 
 namespace rimline {
 
-// Leaves out the triangles that close ears of jagged rims, one layer deep: those at an edge of a rim whose
-// third corner is more likely on the boundary than not, most likely first. The search, which weighs the
-// size of triangles and what the rim turns, keeps them, since on an even rim nearly all of them belong to the
-// surface. Returns the third corners.
-std::vector<Index> remove_false_ears(const TriangleSet& set, LocalSizes& sizes, const CornerHistogram& usual,
-                                     const std::vector<std::vector<Index>>& rims, Selection& selected);
+// A false ear is a selected triangle with an edge on a jagged rim whose third corner is more likely on the
+// boundary than not. The search, which weighs the size of triangles and what the rim turns, keeps them, since
+// on an even rim nearly all of them belong to the surface.
+struct WithoutFalseEars {
+  Selection selection;
+  std::vector<std::uint8_t> behind;  // per point, 1 where it was the third corner of one; or empty
+  CornerHistogram corners;           // on the surface behind the rims
+};
+
+// Removes the false ears of the rims that are boundaries, two layers deep, the likeliest of each layer first.
+// Not among random points or under noise, where rims look jagged by chance, nor from a range image.
+WithoutFalseEars remove_false_ears(const SelectedSurface& surface, const LocalSizes& sizes,
+                                   const Samples& samples, const SamplingProfile& sampling,
+                                   const BoundaryLoopOptions& options, const Run& run);
 
 }  // namespace rimline

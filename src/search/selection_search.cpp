@@ -12,7 +12,7 @@
 #include "search/group_search.h"
 
 namespace rimline {
-SelectionSearch::SelectionSearch(const TriangleSet& set, LocalSizes& sizes,
+SelectionSearch::SelectionSearch(const TriangleSet& set, const LocalSizes& sizes,
                                  const std::vector<std::uint8_t>& excluded, const SearchOptions& options,
                                  const Run& run)
     : set_(set),

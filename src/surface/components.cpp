@@ -219,17 +219,19 @@ class Blocks {
 
 // All triangles of one component, from its first; each is turned to agree with the one it was reached from.
 // Only where they can not all agree does it matter which way the walk took.
-std::vector<Index> walk_component(TriangleSet& set, const Selection& selected, Index first, Index sheet,
-                                  std::vector<Index>& of_triangle) {
+std::vector<Index> walk_component(const TriangleSet& set, const Selection& selected, Index first,
+                                  Index number, Components& components) {
   std::vector<Index> members{first};
-  of_triangle[first] = sheet;
+  components.of_triangle[first] = number;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    const Triangle t = set.triangle(members[i]);
+    const bool is_turned = components.turned[members[i]] != 0;
+    const Triangle& x = set.triangle(members[i]);
+    const Triangle t = is_turned ? Triangle{x[0], x[2], x[1]} : x;
     for (int k = 0; k < 3; ++k) {
-      const Index other = set.across(members[i], k);
-      if (other == none || !selected[other] || of_triangle[other] != none) continue;
-      if (runs(set.triangle(other), t[k], t[(k + 1) % 3])) set.flip(other);
-      of_triangle[other] = sheet;
+      const Index other = set.across(members[i], is_turned ? 2 - k : k);
+      if (other == none || !selected[other] || components.of_triangle[other] != none) continue;
+      components.turned[other] = runs(set.triangle(other), t[k], t[(k + 1) % 3]);
+      components.of_triangle[other] = number;
       members.push_back(other);
     }
   }
@@ -243,25 +245,25 @@ bool faces_up(Point normal, double area) {
   return true;
 }
 
-void orient_one_sided(TriangleSet& set, const Selection& selected, Index first, Index sheet,
-                      std::vector<Index>& of_triangle) {
-  const std::vector<Index> members = walk_component(set, selected, first, sheet, of_triangle);
+void orient_one_sided(const TriangleSet& set, const Selection& selected, Index first, Index number,
+                      Components& components) {
+  const std::vector<Index> members = walk_component(set, selected, first, number, components);
   const Points p = set.points();
   Point sum;
   double area = 0;
   for (const Index t : members) {
     const Triangle& x = set.triangle(t);
     const Point normal = cross(p[x[1]] - p[x[0]], p[x[2]] - p[x[0]]);
-    sum = sum + normal;
+    sum = sum + (components.turned[t] ? -1.0 : 1.0) * normal;
     area += norm(normal);
   }
   if (faces_up(sum, area)) return;
-  for (const Index t : members) set.flip(t);
+  for (const Index t : members) components.turned[t] ^= 1;
 }
 
 }  // namespace
 
-Components orient_components(TriangleSet& set, const Selection& selected, const Run& run) {
+Components find_components(const TriangleSet& set, const Selection& selected, const Run& run) {
   const Blocks blocks(set, selected, run);
   Joins joins(blocks.count());
   std::vector<std::uint8_t> one_sided(blocks.count(), 0);
@@ -279,7 +281,7 @@ Components orient_components(TriangleSet& set, const Selection& selected, const 
     double area = 0;
     Index first = none;
   };
-  std::vector<Index> sheet_of(blocks.count());
+  std::vector<Index> component_of(blocks.count());
   std::vector<std::uint8_t> turn(blocks.count());
   std::vector<Sum> sums;
   Components components;
@@ -288,33 +290,39 @@ Components orient_components(TriangleSet& set, const Selection& selected, const 
     for (const Piece& x : block.pieces) {
       const auto [root, turned] = joins.find(piece);
       if (root == piece) {
-        sheet_of[piece] = components.count();
+        component_of[piece] = components.count();
         components.orientable.push_back(1);
         sums.push_back({.first = x.first});
       }
-      const Index sheet = sheet_of[piece] = sheet_of[root];
+      const Index component = component_of[piece] = component_of[root];
       turn[piece] = turned;
-      sums[sheet].normal = sums[sheet].normal + (turned ? -1.0 : 1.0) * x.normal;
-      sums[sheet].area += x.area;
-      if (!x.orientable || one_sided[piece]) components.orientable[sheet] = 0;
+      sums[component].normal = sums[component].normal + (turned ? -1.0 : 1.0) * x.normal;
+      sums[component].area += x.area;
+      if (!x.orientable || one_sided[piece]) components.orientable[component] = 0;
       ++piece;
     }
   }
   for (Index i = 0; i < blocks.count(); ++i) {
-    const Sum& sum = sums[sheet_of[i]];
+    const Sum& sum = sums[component_of[i]];
     turn[i] ^= !faces_up(sum.normal, sum.area);
   }
   components.of_triangle.assign(set.size(), none);
+  components.turned.assign(set.size(), 0);
   parallel_for_each(set.size(), Stage::Loops, run, [&](Index t) {
     const Index own = blocks.piece(t);
-    if (own == none || !components.orientable[sheet_of[own]]) return;
-    components.of_triangle[t] = sheet_of[own];
-    set.flip_if(t, (turn[own] != 0) != blocks.turned(t));
+    if (own == none || !components.orientable[component_of[own]]) return;
+    components.of_triangle[t] = component_of[own];
+    components.turned[t] = (turn[own] != 0) != blocks.turned(t);
   });
   for (Index s = 0; s < components.count(); ++s) {
-    if (!components.orientable[s]) orient_one_sided(set, selected, sums[s].first, s, components.of_triangle);
+    if (!components.orientable[s]) orient_one_sided(set, selected, sums[s].first, s, components);
   }
   return components;
+}
+
+TriangleSet turn_over(TriangleSet set, const std::vector<std::uint8_t>& marked, const Run& run) {
+  parallel_for_each(set.size(), Stage::Loops, run, [&](Index t) { set.flip_if(t, marked[t] != 0); });
+  return set;
 }
 
 }  // namespace rimline

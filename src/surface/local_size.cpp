@@ -16,7 +16,7 @@ constexpr float not_known = std::numeric_limits<float>::infinity();  // which al
 
 }  // namespace
 
-const LocalSize& LocalSizes::at(Index vertex) {
+const LocalSize& LocalSizes::at(Index vertex) const {
   LocalSize& size = known_[vertex];
   if (size.typical < 0) size = measure(vertex, radii_);
   return size;
@@ -34,7 +34,7 @@ LocalSize LocalSizes::measure(Index vertex, std::vector<double>& radii) const {
   return {typical, (upper - lower) / typical};
 }
 
-void LocalSizes::find(std::span<const Index> vertices, const Run& run) {
+void LocalSizes::find(std::span<const Index> vertices, const Run& run) const {
   parallel_slices(vertices.size(), Stage::Loops, run, [&](std::size_t begin, std::size_t end) {
     std::vector<double> radii;
     for (const Index v : vertices.subspan(begin, end - begin)) {
@@ -43,7 +43,7 @@ void LocalSizes::find(std::span<const Index> vertices, const Run& run) {
   });
 }
 
-void LocalSizes::find_limits(double margin, const Run& run) {
+void LocalSizes::find_limits(double margin, const Run& run) const {
   if (levels_ && margin == margin_) return;
   margin_ = margin;
   if (!levels_) levels_.emplace(set_, run);
@@ -53,14 +53,9 @@ void LocalSizes::find_limits(double margin, const Run& run) {
   });
 }
 
-void LocalSizes::drop_limits() {
-  levels_.reset();
-  inverse_limit_ = {};
-}
-
 // The logarithm of a mean is at least the mean of logarithms, so a triangle whose radius is at most the
 // geometric mean of typical * exp(margin + spread) at its corners is no larger than that.
-void LocalSizes::bound(Index begin, Index end) {
+void LocalSizes::bound(Index begin, Index end) const {
   constexpr double sixth = 1.0 / 6, most = 1e30;  // whose inverse is no tiny number yet
   const StarLevels& levels = *levels_;
   std::array<StarLevels::Around, 256> found;
@@ -98,7 +93,7 @@ void LocalSizes::forget(const std::vector<std::uint8_t>& changed, const Run& run
   parallel_for_each(gone.size(), Stage::Loops, run, [&](Index i) { bound(gone[i], gone[i] + 1); });
 }
 
-double LocalSizes::log_ratio(const Triangle& triangle) {
+double LocalSizes::log_ratio(const Triangle& triangle) const {
   constexpr double most = 3;
   double typical = 0;
   for (const Index v : triangle) typical += at(v).typical / 3;
@@ -117,7 +112,7 @@ double LocalSizes::own(Index vertex) const {
   return *middle;
 }
 
-double LocalSizes::spread(const Triangle& triangle) {
+double LocalSizes::spread(const Triangle& triangle) const {
   double sum = 0;
   for (const Index v : triangle) sum += at(v).spread / 3;
   return sum;

@@ -245,8 +245,17 @@ TriangleSet propose_surface(Points points, const std::vector<Frame>& frames, con
   return set;
 }
 
-void fill_missing_ears(TriangleSet& set, const std::vector<double>& spacing, double largest, const Run& run) {
+TriangleSet propose_surface(const Samples& samples, const Run& run) {
+  constexpr double largest_proposed = 4.0;  // spacings; the search takes away what is too much
+  const DelaunayStars stars =
+      find_delaunay_stars(samples.points, samples.neighbours, samples.spacing, samples.frames, run);
+  return propose_surface(samples.points, samples.frames, stars, samples.spacing, largest_proposed, run);
+}
+
+TriangleSet with_missing_ears(TriangleSet set, const std::vector<double>& spacing, double largest,
+                              const Run& run) {
   Proposer(set, spacing, largest).fill_missing_ears(run);
+  return set;
 }
 
 }  // namespace rimline

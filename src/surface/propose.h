@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "local/samples.h"
 #include "local/star.h"
 #include "rimline/run.h"
 #include "surface/triangle_set.h"
@@ -12,14 +13,19 @@ namespace rimline {
 
 // Puts the stars together. A triangle that is in the stars of all its corners is taken: these alone are a
 // surface with boundary, since all triangles at an edge are then in one planar star. The others are offered
-// in order of votes and size, and taken where they fit; then ears in the rim are filled, the smallest
+// in order of votes and size, and taken where they fit; then missing ears of the rim are filled, the smallest
 // first. Triangles whose circumradius exceeds `largest` spacings (the largest of their corners') are left
 // out, so the result reaches over the true boundary by its larger triangles: what is too much is for the rim
 // search to take away.
 TriangleSet propose_surface(Points points, const std::vector<Frame>& frames, const DelaunayStars& stars,
                             const std::vector<double>& spacing, double largest, const Run& run);
 
-// Fills ears in the rim with triangles up to `largest`, the smallest first.
-void fill_missing_ears(TriangleSet& set, const std::vector<double>& spacing, double largest, const Run& run);
+// The same of samples, with the stars and the largest size of the default method.
+TriangleSet propose_surface(const Samples& samples, const Run& run);
+
+// The set with the missing ears of its rims: triangles up to `largest` between two rim edges in a row, the
+// smallest first.
+TriangleSet with_missing_ears(TriangleSet set, const std::vector<double>& spacing, double largest,
+                              const Run& run);
 
 }  // namespace rimline

@@ -168,7 +168,7 @@ bool TriangleSet::folds_back(Index a, Index b, Index c, Index d) const {
 
 double TriangleSet::direction(Index from, Index to) const {
   const Point d = points_[to] - points_[from];
-  const Frame& f = frames_[from];
+  const Frame& f = (*frames_)[from];
   return std::atan2(dot(d, f.v), dot(d, f.u));
 }
 

@@ -33,10 +33,10 @@ class TriangleSet {
 
  public:
   TriangleSet(Points points, const std::vector<Frame>& frames)
-      : points_(points), frames_(frames), stars_(points.size()) {}
+      : points_(points), frames_(&frames), stars_(points.size()) {}
 
   Points points() const { return points_; }
-  const std::vector<Frame>& frames() const { return frames_; }
+  const std::vector<Frame>& frames() const { return *frames_; }
   Index size() const { return static_cast<Index>(triangles_.size()); }
   Index vertices() const { return static_cast<Index>(stars_.size()); }
   const Triangle& triangle(Index t) const { return triangles_[t]; }
@@ -87,11 +87,7 @@ class TriangleSet {
     return triangles_[triangle][(edge_of(triangle, a, b) + 2) % 3];
   }
   double radius(Index t) const { return radii_[t]; }  // of its circumcircle
-  void flip(Index t) {
-    std::swap(triangles_[t][1], triangles_[t][2]);
-    std::swap(beside_[t][0], beside_[t][2]);
-  }
-  // Without a branch, which would be guessed wrongly where half of many are flipped.
+  // Turns a triangle over. Without a branch, which would be guessed wrongly where half of many are flipped.
   void flip_if(Index t, bool wanted) {
     Triangle& x = triangles_[t];
     std::array<Index, 3>& beside = beside_[t];
@@ -114,7 +110,7 @@ class TriangleSet {
   double direction(Index from, Index to) const;
 
   Points points_;
-  const std::vector<Frame>& frames_;
+  const std::vector<Frame>* frames_;
   std::vector<Triangle> triangles_;
   std::vector<std::array<Index, 3>> beside_;  // across the edge that leaves each corner, or none
   std::vector<double> radii_;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "base/random.h"
@@ -91,7 +92,8 @@ TEST_CASE(
     Run run;
     run.threads = threads;
     const Selection selected(set.size(), 1);
-    const Components components = orient_components(set, selected, run);
+    const Components components = find_components(set, selected, run);
+    set = turn_over(std::move(set), components.turned);
     REQUIRE(components.count() == 2);
     CHECK((components.orientable[0] && components.orientable[1]));
     int wrong = 0;
@@ -109,7 +111,8 @@ TEST_CASE("triangles that are left out part a sheet, and components count from t
   TriangleSet set = strips.set();
   Selection selected(set.size(), 1);
   for (Index t = 2 * 100 * 40; t < 2 * 100 * 41; ++t) selected[t] = 0;  // a column of squares
-  const Components components = orient_components(set, selected);
+  const Components components = find_components(set, selected);
+  set = turn_over(std::move(set), components.turned);
   REQUIRE(components.count() == 2);
   for (const Index t : {Index{0}, Index{2 * 100 * 40 - 1}}) CHECK(components.of_triangle[t] == 0);
   for (const Index t : {Index{2 * 100 * 41}, set.size() - 1}) CHECK(components.of_triangle[t] == 1);
@@ -125,7 +128,8 @@ TEST_CASE(
     strips.turn_some();
     TriangleSet set = strips.set();
     const Selection selected(set.size(), 1);
-    const Components components = orient_components(set, selected);
+    const Components components = find_components(set, selected);
+    set = turn_over(std::move(set), components.turned);
     REQUIRE(components.count() == 1);
     CHECK(bool(components.orientable[0]) == !twisted);
     const int seam = disagreements(set, selected);

@@ -92,6 +92,6 @@ TEST_CASE(
   set.keep_only(kept);
   check();
   set.add(gone);
-  for (Index t = 0; t < set.size(); t += 3) set.flip(t);
+  for (Index t = 0; t < set.size(); t += 3) set.flip_if(t, true);
   check();
 }

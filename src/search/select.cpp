@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "search/select.h"
+
+#include <atomic>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.h"
+#include "evidence/jaggedness.h"
+#include "evidence/rim_probability.h"
+#include "search/selection_search.h"
+#include "surface/local_size.h"
+#include "surface/propose.h"
+
+namespace rimline {
+namespace {
+
+constexpr std::size_t least_gap = 6;  // points of a gap that is told from a boundary; smaller ones say little
+constexpr double largest_refilled = 1.0;  // spacings; circumradius of missing ears
+
+SearchOptions options_for(const SamplingProfile& sampling, const BoundaryLoopOptions& options) {
+  SearchOptions o;
+  o.population = options.rim_population;
+  o.generations = options.rim_generations;
+  if (sampling.noise.noise == 0) return o;
+  // Noise spreads the sizes of triangles, but opens no holes as chance does among random points.
+  constexpr double by_noise = 1;
+  const auto blend = [&](double cost) { return by_noise + (cost - by_noise) * sampling.noise.irregular; };
+  o.weights.hole_prior = blend(o.weights.hole_prior);
+  o.weights.hole_prior_spread = blend(o.weights.hole_prior_spread);
+  return o;
+}
+
+// Marks the points of rims that are no boundary, as all triangles stand: at creases and thin walls stars do
+// not agree and leave gaps, which the search would only tear open.
+std::vector<std::uint8_t> find_excluded(const TriangleSet& set, const Samples& samples,
+                                        const SamplingProfile& sampling, const Run& run) {
+  const Selection all(set.size(), 1);
+  const RimEvidence evidence{set, all, {}, samples, sampling};
+  std::vector<std::uint8_t> excluded(samples.points.size(), 0);
+  for (const auto& rim : walk_rims(set, all, run)) {
+    if (rim.size() < least_gap || rim_probability(rim, evidence, run) >= 0.5) continue;
+    for (const Index v : rim) excluded[v] = 1;
+  }
+  return excluded;
+}
+
+SelectionSummary added(SelectionSummary summary, const SearchResult& found) {
+  summary.doubtful += found.doubtful;
+  summary.groups += found.groups;
+  summary.greedy += found.greedy;
+  summary.best += found.best;
+  for (std::size_t i = 0; i < summary.history.size(); ++i) {
+    summary.history[i].best += found.history_best[i];
+    summary.history[i].mean += found.history_mean[i];
+  }
+  return summary;
+}
+
+// What two searches over all that is proposed find.
+struct FirstFound {
+  Selection selection;
+  std::vector<double> even;  // how even rims are at each point, where that is known
+  SelectionSummary summary;
+};
+
+// Rims that turn out to be even all along are likely so where they seem not to be: looked for once more, with
+// that known. Noise blurs what is even.
+FirstFound search_twice(const SelectionSearch& search, const TriangleSet& set, bool tells_even,
+                        const SearchOptions& options, const Run& run) {
+  SelectionSummary summary;
+  summary.history.assign(options.generations, {});
+  SearchResult first = search.find({});
+  summary = added(std::move(summary), first);
+  if (!tells_even || options.generations == 0) return {std::move(first.selected), {}, std::move(summary)};
+  std::vector<double> even = evenness(set.points(), walk_rims(set, first.selected, run), run);
+  SearchResult again = search.find_again(even, first.selected);
+  return {std::move(again.selected), std::move(even), added(std::move(summary), again)};
+}
+
+// The points of the triangles that are left out.
+std::vector<std::uint8_t> points_of_others(const TriangleSet& set, const Selection& selection,
+                                           const Run& run) {
+  std::vector<std::uint8_t> marked(set.vertices(), 0);
+  parallel_for_each(set.size(), Stage::Loops, run, [&](Index t) {
+    if (selection[t]) return;
+    for (const Index v : set.triangle(t)) std::atomic_ref(marked[v]).store(1, std::memory_order_relaxed);
+  });
+  return marked;
+}
+
+}  // namespace
+
+SelectedSurface select(TriangleSet set, const Samples& samples, const SamplingProfile& sampling,
+                       const BoundaryLoopOptions& options, const Run& run) {
+  if (sampling.is_range_image) {
+    SelectedSurface all{std::move(set), {}, {}};
+    all.selection.assign(all.set.size(), 1);
+    all.summary.history.assign(options.rim_generations, {});
+    return all;
+  }
+  const SearchOptions o = options_for(sampling, options);
+  LocalSizes sizes(set, samples.neighbours, run);
+  FirstFound first =
+      search_twice(SelectionSearch(set, sizes, find_excluded(set, samples, sampling, run), o, run), set,
+                   sampling.noise.noise == 0, o, run);
+  // The large triangles that are gone had turned edges of the rim; with them out of the way the ears they
+  // leave can be seen for what they are, so the search looks again.
+  std::vector<std::uint8_t> changed = points_of_others(set, first.selection, run);
+  set.keep_only(first.selection, run);
+  const Index before = set.size();
+  set = with_missing_ears(std::move(set), samples.spacing, largest_refilled, run);
+  for (Index t = before; t < set.size(); ++t) {
+    for (const Index v : set.triangle(t)) changed[v] = 1;
+  }
+  sizes.forget(changed, run);
+  const SelectionSearch search(set, sizes, find_excluded(set, samples, sampling, run), o, run);
+  SearchResult last = search.find(first.even);
+  SelectionSummary summary = added(std::move(first.summary), last);
+  return {std::move(set), std::move(last.selected), std::move(summary)};
+}
+
+}  // namespace rimline
