@@ -2,11 +2,20 @@
 # it, and says so. Sets RIMLINE_HAS_SCAN_FORMATS and makes the target rimline_scan_formats.
 set(RIMLINE_HAS_SCAN_FORMATS OFF)
 find_program(RIMLINE_CARGO cargo DOC "Builds the reader of LAS, LAZ, COPC and E57")
-if(RIMLINE_CARGO AND PROJECT_IS_TOP_LEVEL)
-  option(RIMLINE_SCAN_FORMATS "Read LAS, LAZ, COPC and E57 (needs cargo 1.89 or newer)" ON)
-else()
-  option(RIMLINE_SCAN_FORMATS "Read LAS, LAZ, COPC and E57 (needs cargo 1.89 or newer)" OFF)
+# Not in the cache unless given: a cargo that comes later is seen.
+if(NOT DEFINED RIMLINE_SCAN_FORMATS)
+  set(RIMLINE_SCAN_FORMATS OFF)
+  if(PROJECT_IS_TOP_LEVEL AND RIMLINE_CARGO)
+    set(RIMLINE_SCAN_FORMATS ON)
+  endif()
+  if(PROJECT_IS_TOP_LEVEL AND NOT RIMLINE_CARGO)
+    message(STATUS "LAS, LAZ, COPC and E57 will not be read: there is no cargo (scripts/setup installs it)")
+  endif()
 endif()
+
+set(scan_formats_folder ${CMAKE_CURRENT_LIST_DIR}/../src/io/scan_formats)
+set(RIMLINE_SCAN_FORMATS_LIBRARY ${PROJECT_BINARY_DIR}/scan_formats/release/librimline_scan_formats.a)
+set(scan_formats_build ${RIMLINE_CARGO} build --release --locked --quiet --target-dir ${PROJECT_BINARY_DIR}/scan_formats)
 
 function(rimline_without_scan_formats reason)
   message(WARNING "LAS, LAZ, COPC and E57 will not be read: ${reason}")
@@ -23,14 +32,20 @@ function(rimline_find_scan_formats)
     rimline_without_scan_formats("${RIMLINE_CARGO} is of version '${version}', and 1.89 is the oldest that can build them")
     return()
   endif()
-  # What is fetched is what Cargo.lock names, checksums and all; the build itself asks nobody.
-  execute_process(
-    COMMAND ${RIMLINE_CARGO} fetch --locked --quiet
-    WORKING_DIRECTORY ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/io/scan_formats
-    RESULT_VARIABLE status ERROR_VARIABLE told OUTPUT_QUIET TIMEOUT 120)
-  if(NOT status EQUAL 0)
-    rimline_without_scan_formats("cargo could not fetch the crates:\n${told}")
-    return()
+  # Built here once, so that what can not be had is known before anything needs it. Fetched is what Cargo.lock
+  # names, checksums and all, and only what is not there yet.
+  if(NOT EXISTS ${RIMLINE_SCAN_FORMATS_LIBRARY})
+    message(STATUS "Building the reader of LAS, LAZ, COPC and E57 (once, about a minute)")
+    execute_process(COMMAND ${scan_formats_build} --offline WORKING_DIRECTORY ${scan_formats_folder} RESULT_VARIABLE status
+      OUTPUT_QUIET ERROR_QUIET)
+    if(NOT status EQUAL 0)
+      execute_process(COMMAND ${scan_formats_build} WORKING_DIRECTORY ${scan_formats_folder} RESULT_VARIABLE status
+        OUTPUT_QUIET ERROR_VARIABLE told TIMEOUT 600)
+    endif()
+    if(NOT status EQUAL 0)
+      rimline_without_scan_formats("cargo could not fetch or build the crates:\n${told}")
+      return()
+    endif()
   endif()
   set(RIMLINE_HAS_SCAN_FORMATS ON PARENT_SCOPE)
 endfunction()
@@ -39,14 +54,12 @@ if(RIMLINE_SCAN_FORMATS)
   rimline_find_scan_formats()
 endif()
 if(RIMLINE_HAS_SCAN_FORMATS)
-  set(folder ${CMAKE_CURRENT_LIST_DIR}/../src/io/scan_formats)
-  set(built ${PROJECT_BINARY_DIR}/scan_formats)
-  set(RIMLINE_SCAN_FORMATS_LIBRARY ${built}/release/librimline_scan_formats.a)
-  file(GLOB sources CONFIGURE_DEPENDS ${folder}/src/*.rs)
+  file(GLOB sources CONFIGURE_DEPENDS ${scan_formats_folder}/src/*.rs)
   add_custom_command(OUTPUT ${RIMLINE_SCAN_FORMATS_LIBRARY}
-    COMMAND ${RIMLINE_CARGO} build --release --locked --offline --quiet --target-dir ${built}
-    WORKING_DIRECTORY ${folder}
-    DEPENDS ${sources} ${folder}/Cargo.toml ${folder}/Cargo.lock
+    COMMAND ${scan_formats_build} --offline
+    COMMAND ${CMAKE_COMMAND} -E touch_nocreate ${RIMLINE_SCAN_FORMATS_LIBRARY}
+    WORKING_DIRECTORY ${scan_formats_folder}
+    DEPENDS ${sources} ${scan_formats_folder}/Cargo.toml ${scan_formats_folder}/Cargo.lock
     COMMENT "Building the reader of LAS, LAZ, COPC and E57")
   add_custom_target(rimline_scan_formats DEPENDS ${RIMLINE_SCAN_FORMATS_LIBRARY})
 endif()

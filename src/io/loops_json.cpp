@@ -49,9 +49,10 @@ class LoopsReader {
     } catch (const Json::parse_error& error) {
       const std::size_t byte = std::min(error.byte, source_.bytes().size());
       source_.fail_at_line(source_.begin() + (byte > 0 ? byte - 1 : 0),
-                           "is not valid JSON (byte " + std::to_string(byte) + ")");
-    } catch (const Json::exception& error) {
-      source_.fail(std::string("is not valid JSON: ") + error.what());
+                           "is not valid JSON (byte " + std::to_string(byte) +
+                               "); correct it there, or write the loops again with --loops");
+    } catch (const Json::exception&) {
+      source_.fail("holds a number or text that JSON can not have; write the loops again with --loops");
     }
   }
 

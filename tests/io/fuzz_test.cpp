@@ -2,10 +2,12 @@
 // Damaged files of every format: each is read or refused, and nothing else happens (run under sanitizers).
 #include <liblzf/lzf.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 
 #include "io/files.h"
+#include "io/formats.h"
 
 namespace rimline {
 namespace {
@@ -112,6 +114,19 @@ std::string damaged(std::string content, std::mt19937_64& random) {
     }
   }
   return content;
+}
+
+TEST_CASE("every format that is read has a sample to damage") {
+  const auto all = samples();
+  for (const io::Format& format : io::formats()) {
+    const bool elsewhere =
+        format.about.name == "LAS/LAZ/COPC" || format.about.name == "E57";  // scan_formats_test.cpp
+    if (format.read == nullptr || elsewhere) continue;
+    const bool here = std::any_of(all.begin(), all.end(), [&](const Sample& sample) {
+      return &io::format_of(io::Source(sample.name, sample.content)) == &format;
+    });
+    CHECK_MESSAGE(here, format.about.name);
+  }
 }
 
 TEST_CASE("whole files of every format are read") {

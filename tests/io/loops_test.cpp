@@ -85,6 +85,8 @@ TEST_CASE("loops that can not be right are refused by number") {
   CHECK(contains(complaint_of(R"({"schema": 2, "loops": []})"), "reads schema 1"));
   CHECK(contains(complaint_of("[]"), "has no list 'loops'"));
   CHECK(contains(complaint_of("{\n\"loops\": [\n"), "line 2: is not valid JSON"));
+  CHECK(contains(complaint_of("{\n\"loops\": [\n"), "correct it there, or write the loops again"));
+  CHECK_FALSE(contains(complaint_of("{\"loops\": [{\"points\": [1e999]}]}"), "json.exception"));
   CHECK(contains(complaint_of(""), "is empty"));
   CHECK(contains(complaint_of(R"({"loops": [{"points": [)" + std::string(200000, '[') +
                               std::string(200000, ']') + "]}]}"),
