@@ -105,8 +105,14 @@ Source load_file(int descriptor, std::size_t size, const std::string& name, cons
   return Source(name, std::move(storage), have);
 }
 
+// What to do, where the message does not tell it itself, after a semicolon.
+std::string with_remedy(const std::string& message, const char* remedy) {
+  return message.find(';') != std::string::npos ? message : message + "; " + remedy;
+}
+
 std::string at(const std::string& name, const char* unit, std::size_t number, const std::string& message) {
-  return name + ", " + unit + " " + std::to_string(number) + ": " + message;
+  return name + ", " + unit + " " + std::to_string(number) + ": " +
+         with_remedy(message, "correct that place, or export the file again");
 }
 
 }  // namespace
@@ -115,7 +121,9 @@ void Source::progress(const Run& run, std::size_t done, std::size_t total) const
   run.progress(Stage::Read, total + done, 2 * total);
 }
 
-void Source::fail(const std::string& message) const { cannot_read(name_, message); }
+void Source::fail(const std::string& message) const {
+  cannot_read(name_, with_remedy(message, "export the file again"));
+}
 
 void Source::fail_at_line(const char* where, const std::string& message) const {
   const char newline = bytes_.find('\n') == std::string_view::npos ? '\r' : '\n';

@@ -36,7 +36,8 @@ class Source {
     progress(run, static_cast<std::size_t>(at - begin()), bytes_.size());
   }
 
-  // All throw Error{CannotRead} with "NAME: ...", "NAME, line 7: ..." or "NAME, byte 123: ...".
+  // All throw Error{CannotRead} with "NAME: ...", "NAME, line 7: ..." or "NAME, byte 123: ...". What to do stands
+  // after a semicolon; a message without one gets a general remedy.
   [[noreturn]] void fail(const std::string& message) const;
   [[noreturn]] void fail_at_line(const char* at, const std::string& message) const;
   [[noreturn]] void fail_at_byte(const char* at, const std::string& message) const;
