@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/domain_traits.h"
+
 namespace rimline {
 namespace {
 
@@ -43,7 +45,7 @@ std::vector<StageMemory> estimate_memory(std::size_t points, const Options& opti
     add(Stage::Parameterize, solve_bytes + lists + solve_neighbour_bytes * options.map.map_k);
     add(Stage::Triangulate, triangulate_bytes + lists);
   } else {
-    const double factor = options.map.domain == Domain::Free ? factor_bytes * std::log2(n + 2) : 0;
+    const double factor = traits(options.map.domain).released ? factor_bytes * std::log2(n + 2) : 0;
     add(Stage::Survey, survey_bytes + lists);
     add(Stage::Loops, loops_bytes + lists);
     add(Stage::Refine, refine_bytes + lists + factor);

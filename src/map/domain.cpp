@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/domain_traits.h"
 #include "rimline/run.h"
 
 namespace rimline {
@@ -102,7 +103,7 @@ std::array<std::size_t, 4> find_corners(Points points, const std::vector<Index>&
 void place_outline(Points points, const std::vector<Index>& loop, Domain domain,
                    std::span<const Index, 4> corners, std::vector<UV>& uv) {
   const std::vector<double> along = lengths_along(points, loop);
-  if (domain == Domain::Disc || domain == Domain::Free) return place_on_circle(loop, along, uv);
+  if (traits(domain).outline != Outline::Box) return place_on_circle(loop, along, uv);
   const std::array<std::size_t, 4> at =
       corners[0] == none ? find_corners(points, loop) : given_corners(loop, corners);
   const std::size_t n = loop.size();
@@ -110,7 +111,7 @@ void place_outline(Points points, const std::vector<Index>& loop, Domain domain,
   const auto run_to = [&](std::size_t i) { return along[i % n] + static_cast<double>(i / n) * along[n]; };
   const auto first_of = [&](int side) { return side < 4 ? at[side] : at[0] + n; };
   const auto length = [&](int side) { return run_to(first_of(side + 1)) - run_to(first_of(side)); };
-  const double height = domain == Domain::Square ? 1 : (length(1) + length(3)) / (length(0) + length(2));
+  const double height = traits(domain).square ? 1 : (length(1) + length(3)) / (length(0) + length(2));
   const std::array<UV, 5> place{UV{0, 0}, {1, 0}, {1, height}, {0, height}, {0, 0}};
   constexpr double bulge = 1e-3;
   for (int side = 0; side < 4; ++side) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/domain_traits.h"
 #include "base/parallel.h"
 #include "fill/fill_holes.h"
 #include "map/conformal_descent.h"
@@ -160,20 +161,20 @@ class Refiner {
   // The last map, on the last mesh.
   void map_to_domain(Patch& patch) {
     const std::vector<Index>& outer = loops_.front().points;
-    if (options_.domain == Domain::Free) {
+    if (traits(options_.domain).released) {
       if (map_freely(patch)) return;
-    } else if (options_.domain != Domain::Disc) {
+    } else if (traits(options_.domain).outline == Outline::Box) {
       place_outline(points_, outer, options_.domain, options_.corners, uv_);
     }
     map_to_outline(patch);
-    if (options_.domain == Domain::Free) let_go(patch);
+    if (traits(options_.domain).released) release(patch);
   }
 
   // The outline as uv_ has it.
   void map_to_outline(Patch& patch) {
     constexpr int repairs = 8;
     const Embedding embedding = embed(points_, mesh_, loops_, options_.residual, repairs, uv_, run_);
-    patch.domain = options_.domain == Domain::Free ? Domain::Disc : options_.domain;
+    patch.domain = traits(options_.domain).released ? Domain::Disc : options_.domain;
     patch.map = embedding.map;
     patch.uv_flips = embedding.flips;
     patch.evened = embedding.evened;
@@ -198,7 +199,7 @@ class Refiner {
   }
 
   // From the disc's map, which has no flips and no crossings, by steps that make none.
-  void let_go(Patch& patch) {
+  void release(Patch& patch) {
     std::vector<UV> uv(uv_.begin(), uv_.begin() + static_cast<std::ptrdiff_t>(points_.size()));
     if (patch.uv_flips == 0 && relax_conformally(points_, mesh_, loops_, uv, run_) > 0) {
       take_free(std::move(uv), patch);

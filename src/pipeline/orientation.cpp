@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/domain_traits.h"
 #include "patch/pack.h"
 #include "rimline/delaunay.h"
 
@@ -17,8 +18,7 @@ struct Range {
 };
 
 std::vector<Range> heights_of(const MappedMesh& mesh, std::size_t patches, Domain domain) {
-  const bool box = domain == Domain::Square || domain == Domain::Rectangle;
-  if (!box) return std::vector<Range>(patches, Range{0, 0});
+  if (traits(domain).outline != Outline::Box) return std::vector<Range>(patches, Range{0, 0});
   std::vector<Range> ranges(patches);
   for (std::size_t i = 0; i < mesh.uv.size(); ++i) {
     if (mesh.patch[i] == none) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/prepare.h"
 
+#include "base/domain_traits.h"
 #include "rimline/measure.h"
 
 namespace rimline::pipeline {
@@ -8,7 +9,7 @@ namespace {
 
 void check_corners(Points input, const ParameterizeOptions& map) {
   if (map.corners[0] == none) return;
-  if (map.domain != Domain::Square && map.domain != Domain::Rectangle) {
+  if (traits(map.domain).outline != Outline::Box) {
     throw Error(ErrorCode::BadOption, "corners are for the domains square and rectangle alone");
   }
   for (const Index id : map.corners) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "base/domain_traits.h"
 #include "points/morton.h"
 
 namespace rimline::pipeline {
@@ -63,7 +64,7 @@ void scale_report(Report& report, int exponent) {
 
 // A free map is at the scale of the surface, the others are of size 1.
 void scale_map(std::vector<UV>& uv, const Scaled& scaled) {
-  if (scaled.options.map.domain == Domain::Free) scale(uv, scaled.exponent);
+  if (traits(scaled.options.map.domain).released) scale(uv, scaled.exponent);
 }
 
 }  // namespace
