@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/vec.h"
 #include "evidence/jaggedness.h"
 
 namespace rimline {
@@ -49,7 +50,7 @@ CornerHistogram::CornerHistogram(const TriangleSet& set, const LocalSizes& sizes
     const Triangle& x = set.triangle(t);
     const int r = interval(sizes.log_ratio(x), -3, 3, ratios);
     for (int i = 0; i < 3; ++i) {
-      const double angle = angle_at(p[x[(i + 2) % 3]], p[x[i]], p[x[(i + 1) % 3]]);
+      const double angle = angle_at(p[x[(i + 2) % 3]], p[x[i]], p[x[next_in(i, 3)]]);
       ++count_[interval(angle, 0, std::numbers::pi, angles)][r];
     }
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "base/vec.h"
 #include "evidence/empty_ball.h"
 #include "evidence/probability.h"
 
@@ -17,7 +18,7 @@ double isoperimetric_ratio(const std::vector<Index>& rim, const Samples& samples
   Point area;
   const Point origin = samples.points[rim[0]];
   for (std::size_t i = 0; i < rim.size(); ++i) {
-    const Point a = samples.points[rim[i]], b = samples.points[rim[i + 1 < rim.size() ? i + 1 : 0]];
+    const Point a = samples.points[rim[i]], b = samples.points[rim[next_in(i, rim.size())]];
     area = area + 0.5 * cross(a - origin, b - origin);
     largest = std::max(largest, samples.spacing[rim[i]]);
   }
@@ -34,7 +35,7 @@ double mean_thickness(const std::vector<Index>& rim, const std::vector<Frame>& f
 std::vector<double> empty_balls(const std::vector<Index>& rim, const RimEvidence& e, const Run& run) {
   const auto is_behind = [&](Index v) { return !e.behind_false_ear.empty() && e.behind_false_ear[v]; };
   const auto look = [&](std::size_t i, std::vector<double>& found) {
-    const Index a = rim[i], b = rim[i + 1 < rim.size() ? i + 1 : 0];
+    const Index a = rim[i], b = rim[next_in(i, rim.size())];
     if (is_behind(a) || is_behind(b)) return;
     const Index inner = e.set.apex(selected_triangle(e.set, e.selection, a, b), a, b);
     found.push_back(

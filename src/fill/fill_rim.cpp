@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/vec.h"
 #include "map/graph.h"
 #include "map/weights.h"
 #include "mesh/flip.h"
@@ -13,8 +14,7 @@ namespace {
 
 double area_of(Points points, const std::vector<Triangle>& triangles) {
   double sum = 0;
-  for (const auto& [a, b, c] : triangles)
-    sum += 0.5 * norm(cross(points[b] - points[a], points[c] - points[a]));
+  for (const auto& [a, b, c] : triangles) sum += 0.5 * norm(triangle_normal(points[a], points[b], points[c]));
   return sum;
 }
 

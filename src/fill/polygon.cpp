@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/vec.h"
 #include "mesh/constrained_delaunay.h"
 #include "rimline/run.h"
 
@@ -111,7 +112,7 @@ bool divide(Points points, const Corners& corners, const MayJoin& may_join,
 std::vector<UV> laid_flat(Points corners) {
   Point area;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Point next = corners[i + 1 < corners.size() ? i + 1 : 0];
+    const Point next = corners[next_in(i, corners.size())];
     area = area + cross(corners[i] - corners[0], next - corners[0]);
   }
   if (norm(area) == 0) return {};
@@ -143,7 +144,7 @@ std::vector<Triangle> triangulate_flat(Points corners, const MayJoin& may_join) 
   const auto n = static_cast<Index>(corners.size());
   for (const Triangle& t : triangles) {
     for (int c = 0; c < 3; ++c) {
-      const Index a = t[c], b = t[(c + 1) % 3];
+      const Index a = t[c], b = t[next_in(c, 3)];
       if ((a + 1) % n != b && (b + 1) % n != a && !may_join(a, b)) return {};
     }
   }

@@ -11,6 +11,7 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
+#include "base/vec.h"
 
 namespace rimline {
 namespace {
@@ -142,7 +143,7 @@ class Cell {
   void clip(Index side) {
     std::size_t next = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-      const std::size_t j = i + 1 < count_ ? i + 1 : 0;
+      const std::size_t j = next_in(i, count_);
       if (beyond_[i] <= 0) next_.put(next++, now_.x[i], now_.y[i], now_.side[i]);
       if ((beyond_[i] <= 0) == (beyond_[j] <= 0)) continue;
       const Corner corner = meet(i, j);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/vec.h"
 #include "surface/measure_components.h"
 
 namespace rimline {
@@ -17,13 +18,13 @@ double outer_rank(const Loop& loop, const RimEvidence& e) {
   const Point origin = points[loop.points[0]];
   Point low = origin, high = origin, area, normal;
   for (std::size_t i = 0; i < loop.points.size(); ++i) {
-    const Index a = loop.points[i], b = loop.points[(i + 1) % loop.points.size()];
+    const Index a = loop.points[i], b = loop.points[next_in(i, loop.points.size())];
     const Point p = points[a];
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     area = area + 0.5 * cross(p - origin, points[b] - origin);
     const Triangle& t = e.set.triangle(selected_triangle(e.set, e.selection, a, b));
-    const Point n = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+    const Point n = triangle_normal(points, t);
     normal = normal + (distance(p, points[b]) / std::max(norm(n), 1e-300)) * n;
   }
   // -1 for a flat hole, 1 for a flat outline, 0 where the surface stands upright on the loop.

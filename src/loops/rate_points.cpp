@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/vec.h"
 #include "evidence/cut_plane.h"
 #include "evidence/jaggedness.h"
 #include "evidence/probability.h"
@@ -60,7 +61,7 @@ std::vector<Rating> rate_behind_jagged(const Loop& rim, const RimEvidence& e, co
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (jagged[i] == 0) continue;
     ratings.push_back({ids[i], on_jagged_rim(jagged[i], rim.probability)});
-    const Index a = ids[i], b = ids[i + 1 < ids.size() ? i + 1 : 0];
+    const Index a = ids[i], b = ids[next_in(i, ids.size())];
     const Index behind = e.set.apex(selected_triangle(e.set, e.selection, a, b), a, b);
     const double odds = false_ear_log_odds(e.set, sizes, corners, {a, behind, b}, jagged[i]);
     ratings.push_back({behind, jagged_point_probability(odds, jagged[i], rim.probability)});

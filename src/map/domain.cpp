@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/domain_traits.h"
+#include "base/vec.h"
 #include "rimline/run.h"
 
 namespace rimline {
@@ -16,7 +17,7 @@ namespace {
 std::vector<double> lengths_along(Points points, const std::vector<Index>& loop) {
   std::vector<double> along(loop.size() + 1, 0);
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    along[i + 1] = along[i] + distance(points[loop[i]], points[loop[i + 1 < loop.size() ? i + 1 : 0]]);
+    along[i + 1] = along[i] + distance(points[loop[i]], points[loop[next_in(i, loop.size())]]);
   }
   return along;
 }

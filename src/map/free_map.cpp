@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/vec.h"
+
 namespace rimline {
 namespace {
 
@@ -114,7 +116,7 @@ class ConformalSystem {
 double area_of(Points points, const Triangulation& mesh) {
   double sum = 0;
   for (const Triangle& t : mesh.triangles) {
-    sum += 0.5 * norm(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
+    sum += triangle_area(points, t);
   }
   return sum;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/vec.h"
+
 namespace rimline {
 namespace {
 
@@ -28,7 +30,7 @@ std::vector<Index> crossing_points(const std::vector<Loop>& loops, const std::ve
   std::vector<OutlineEdge> edges;
   for (const Loop& loop : loops) {
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
-      const Index from = loop.points[i], to = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
+      const Index from = loop.points[i], to = loop.points[next_in(i, loop.points.size())];
       const UV a = uv[from], b = uv[to];
       edges.push_back(
           {from, to, a, b, std::min(a.u, b.u), std::max(a.u, b.u), std::min(a.v, b.v), std::max(a.v, b.v)});

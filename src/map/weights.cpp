@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/vec.h"
 #include "mesh/cotangent.h"
 
 namespace rimline {
@@ -92,7 +93,7 @@ void add_wheels(const std::vector<Loop>& loops, Index point_count, std::vector<W
     const double half = std::numbers::pi / static_cast<double>(std::max<std::size_t>(rim.size(), 5));
     for (std::size_t i = 0; i < rim.size(); ++i) {
       edges.push_back({rim[i], static_cast<Index>(point_count + h - 1), std::tan(half)});
-      edges.push_back({rim[i], rim[(i + 1) % rim.size()], 0.5 / std::tan(2 * half)});
+      edges.push_back({rim[i], rim[next_in(i, rim.size())], 0.5 / std::tan(2 * half)});
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "base/vec.h"
 #include "measure/triangle_tree.h"
 #include "mesh/edges.h"
 #include "rimline/measure.h"
@@ -21,7 +22,7 @@ double to_segment(Point p, Point a, Point b) {
 
 // Squared distance to a triangle: to its plane where the foot lies inside, else to the nearest side.
 double to_triangle(Point p, Point a, Point b, Point c) {
-  const Point normal = cross(b - a, c - a);
+  const Point normal = triangle_normal(a, b, c);
   const double size = dot(normal, normal);
   const auto inside = [&](Point from, Point to) { return dot(cross(to - from, p - from), normal) >= 0; };
   if (size > 0 && inside(a, b) && inside(b, c) && inside(c, a)) {
@@ -91,7 +92,7 @@ DistanceSummary SurfaceDistance::from(Points points, const std::vector<Triangle>
   double area = 0, sum = 0, squares = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& [a, b, c] = triangles[t];
-    const double own = 0.5 * norm(cross(points[b] - points[a], points[c] - points[a]));
+    const double own = 0.5 * norm(triangle_normal(points[a], points[b], points[c]));
     area += own;
     for (std::size_t i = 0; i < places; ++i) {
       const double d = distances[t][i];

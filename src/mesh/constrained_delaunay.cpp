@@ -6,6 +6,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include "base/vec.h"
 #include "rimline/run.h"
 
 namespace rimline {
@@ -70,7 +71,7 @@ std::vector<Cdt::Vertex_handle> insert_points(Cdt& cdt, std::span<const UV> uv,
 
 void insert_loop(Cdt& cdt, const std::vector<Cdt::Vertex_handle>& vertex_of, const Loop& loop) {
   for (std::size_t k = 0; k < loop.points.size(); ++k) {
-    const Index a = loop.points[k], b = loop.points[k + 1 < loop.points.size() ? k + 1 : 0];
+    const Index a = loop.points[k], b = loop.points[next_in(k, loop.points.size())];
     if (vertex_of[a]->info() != a || vertex_of[b]->info() != b) throw_crossing(a, b);
     try {
       cdt.insert_constraint(vertex_of[a], vertex_of[b]);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "base/vec.h"
+
 namespace rimline {
 
 std::vector<Edge> edges_of(const std::vector<Triangle>& triangles) {
@@ -11,7 +13,7 @@ std::vector<Edge> edges_of(const std::vector<Triangle>& triangles) {
   keys.reserve(3 * triangles.size());
   for (const Triangle& t : triangles) {
     for (int c = 0; c < 3; ++c) {
-      const auto [low, high] = std::minmax(t[c], t[(c + 1) % 3]);
+      const auto [low, high] = std::minmax(t[c], t[next_in(c, 3)]);
       keys.push_back(static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high));
     }
   }

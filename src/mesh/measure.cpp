@@ -11,6 +11,7 @@
 
 #include "base/parallel.h"
 #include "base/union_find.h"
+#include "base/vec.h"
 #include "mesh/corner_angles.h"
 
 namespace rimline {
@@ -152,7 +153,7 @@ TriangleSums sum_slice(Points points, std::span<const Triangle> triangles, std::
     const auto angles = corner_angles(points[a], points[b], points[c]);
     const double degrees = *std::min_element(angles.begin(), angles.end()) * 180 / std::numbers::pi;
     ++sums.min_angle_histogram[std::min(11, static_cast<int>(degrees / 5))];
-    sums.area += 0.5 * norm(cross(points[b] - points[a], points[c] - points[a]));
+    sums.area += 0.5 * norm(triangle_normal(points[a], points[b], points[c]));
     if (uv.empty()) continue;
     const Point pa = in_space(uv[a]), pb = in_space(uv[b]), pc = in_space(uv[c]);
     sums.uv_flips += !(cross(pb - pa, pc - pa).z > 0);

@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/vec.h"
 
 namespace rimline {
 namespace {
 
-Point normal_of(Points points, const Triangle& t) {
-  return cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
-}
+Point normal_of(Points points, const Triangle& t) { return triangle_normal(points, t); }
 
 bool folded(Point a, Point b) {
   const double d = dot(a, b);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/vec.h"
 #include "rimline/find_genetic_loop.h"
 
 namespace rimline {
@@ -42,7 +43,7 @@ double fitness(std::span<const Index> ids, const BoundaryScores& scores, const L
 double loop_length(Points points, std::span<const Index> loop) {
   double length = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    length += distance(points[loop[i]], points[loop[(i + 1) % loop.size()]]);
+    length += distance(points[loop[i]], points[loop[next_in(i, loop.size())]]);
   }
   return length;
 }

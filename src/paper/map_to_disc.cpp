@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 
+#include "base/vec.h"
 #include "paper/reachable.h"
 #include "solve/aggregation.h"
 
@@ -146,7 +147,7 @@ void check_reachable(const Neighbours& neighbours, int k, std::span<const Index>
 std::vector<UV> circle_by_chord_length(Points points, std::span<const Index> loop) {
   std::vector<double> arc(loop.size() + 1, 0);
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    arc[i + 1] = arc[i] + distance(points[loop[i]], points[loop[(i + 1) % loop.size()]]);
+    arc[i + 1] = arc[i] + distance(points[loop[i]], points[loop[next_in(i, loop.size())]]);
   }
   std::vector<UV> result(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "base/vec.h"
 #include "mesh/triangulation.h"
 
 namespace rimline {
@@ -17,7 +18,7 @@ struct Foot {
 };
 
 Foot foot_on(Point p, const std::array<Point, 3>& v) {
-  const Point normal = cross(v[1] - v[0], v[2] - v[0]);
+  const Point normal = triangle_normal(v[0], v[1], v[2]);
   const double size = dot(normal, normal);
   bool inside = size > 0;
   for (int c = 0; c < 3; ++c)
@@ -66,7 +67,7 @@ class Finder {
       : points_(points), loop_next_(points.size(), none), on_loop_(points.size(), 0) {
     for (const Loop& loop : loops) {
       for (std::size_t i = 0; i < loop.points.size(); ++i) {
-        loop_next_[loop.points[i]] = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
+        loop_next_[loop.points[i]] = loop.points[next_in(i, loop.points.size())];
         on_loop_[loop.points[i]] = 1;
       }
     }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/union_find.h"
+#include "base/vec.h"
 #include "mesh/triangulation.h"
 
 namespace rimline {
@@ -147,7 +148,7 @@ void join_by_sheets(const std::vector<Triangle>& triangles, const std::vector<Lo
   }
   for (const Loop& loop : loops) {
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
-      const Index a = loop.points[i], b = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
+      const Index a = loop.points[i], b = loop.points[next_in(i, loop.points.size())];
       const auto at = triangle_at.find({a, b});
       if (at == triangle_at.end()) continue;
       for (const Index v : {a, b}) {

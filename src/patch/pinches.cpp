@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "base/vec.h"
+
 namespace rimline {
 namespace {
 
@@ -15,8 +17,7 @@ std::vector<Pass> passes_of(const std::vector<Loop>& loops) {
   std::vector<Pass> passes;
   for (Index l = 0; l < static_cast<Index>(loops.size()); ++l) {
     const Index first = static_cast<Index>(passes.size()), count = static_cast<Index>(loops[l].points.size());
-    for (Index i = 0; i < count; ++i)
-      passes.push_back({loops[l].points[i], l, first + (i + 1 < count ? i + 1 : 0)});
+    for (Index i = 0; i < count; ++i) passes.push_back({loops[l].points[i], l, first + next_in(i, count)});
   }
   return passes;
 }

@@ -8,6 +8,7 @@
 
 #include "base/domain_traits.h"
 #include "base/parallel.h"
+#include "base/vec.h"
 #include "fill/fill_holes.h"
 #include "map/conformal_descent.h"
 #include "map/domain.h"
@@ -48,7 +49,7 @@ double distance(UV a, UV b) { return std::hypot(a.u - b.u, a.v - b.v); }
 double depth_inside(UV point, const std::vector<Index>& polygon, const std::vector<UV>& uv) {
   double depth = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const UV a = uv[polygon[i]], b = uv[polygon[i + 1 < polygon.size() ? i + 1 : 0]];
+    const UV a = uv[polygon[i]], b = uv[polygon[next_in(i, polygon.size())]];
     const double area = (b.u - a.u) * (point.v - a.v) - (b.v - a.v) * (point.u - a.u);
     depth = std::min(depth, area / distance(a, b));
   }

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "base/vec.h"
 #include "mesh/close_ring.h"
 #include "mesh/insert.h"
 
@@ -41,7 +42,7 @@ class Mender {
         mesh_(triangulation_of(std::move(triangles), static_cast<Index>(points.size()))) {
     for (const Loop& loop : loops) {
       for (std::size_t i = 0; i < loop.points.size(); ++i)
-        loop_next_[loop.points[i]] = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
+        loop_next_[loop.points[i]] = loop.points[next_in(i, loop.points.size())];
     }
   }
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/union_find.h"
+#include "base/vec.h"
 #include "mesh/triangulation.h"
 
 namespace rimline {
@@ -14,7 +15,7 @@ namespace {
 bool has_corner(const Stars& stars, Index point, Index a, Index b) {
   const std::span<const Index> star = stars.of(point);
   for (std::size_t i = 0; i < star.size(); ++i) {
-    const Index after = star[i + 1 < star.size() ? i + 1 : 0];
+    const Index after = star[next_in(i, star.size())];
     if ((star[i] == a && after == b) || (star[i] == b && after == a)) return true;
   }
   return false;
@@ -26,7 +27,7 @@ std::vector<Triangle> agreed_triangles(const Stars& stars) {
   for (Index i = 0; i + 1 < static_cast<Index>(stars.offsets.size()); ++i) {
     const std::span<const Index> star = stars.of(i);
     for (std::size_t k = 0; k < star.size(); ++k) {
-      const Index a = star[k], b = star[k + 1 < star.size() ? k + 1 : 0];
+      const Index a = star[k], b = star[next_in(k, star.size())];
       if (i < a && i < b && a != b && has_corner(stars, a, i, b) && has_corner(stars, b, i, a)) {
         triangles.push_back({i, a, b});
       }
@@ -83,7 +84,7 @@ std::vector<Triangle> largest_part(const std::vector<Triangle>& triangles) {
 }
 
 Point unit_normal(Points points, const Triangle& t) {
-  const Point n = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+  const Point n = triangle_normal(points, t);
   const double length = norm(n);
   return length > 0 ? (1 / length) * n : Point{};
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/vec.h"
 #include "rimline/find_genetic_loop.h"
 
 namespace rimline::pipeline {
@@ -14,7 +15,7 @@ namespace {
 using RimEdges = std::set<std::pair<Index, Index>>;
 
 std::pair<Index, Index> edge_at(const std::vector<Index>& loop, std::size_t i) {
-  return std::minmax(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
+  return std::minmax(loop[i], loop[next_in(i, loop.size())]);
 }
 
 bool has_all(const RimEdges& edges, const std::vector<Index>& loop) {

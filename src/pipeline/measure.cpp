@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/vec.h"
 #include "pipeline/measure_reference.h"
 
 namespace rimline::pipeline {
@@ -21,7 +22,7 @@ std::vector<double> spacing_of_vertices(std::vector<double> spacing, const Mappe
     for (int c = 0; c < 3; ++c) {
       const auto v = static_cast<std::size_t>(t[c]);
       if (v < points) continue;
-      sum[v - points] += distance(mesh.vertices[t[c]], mesh.vertices[t[(c + 1) % 3]]);
+      sum[v - points] += distance(mesh.vertices[t[c]], mesh.vertices[t[next_in(c, 3)]]);
       ++count[v - points];
     }
   }

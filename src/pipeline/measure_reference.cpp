@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/vec.h"
+
 namespace rimline::pipeline {
 namespace {
 
@@ -31,7 +33,7 @@ std::vector<Triangle> in_ids_of_reference(std::vector<Triangle> triangles, const
 double area_of(const std::vector<Point>& points, const std::vector<Triangle>& triangles) {
   double area = 0;
   for (const auto& [a, b, c] : triangles)
-    area += 0.5 * norm(cross(points[b] - points[a], points[c] - points[a]));
+    area += 0.5 * norm(triangle_normal(points[a], points[b], points[c]));
   return area;
 }
 

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/vec.h"
 #include "sample/draft.h"
 
 namespace rimline {
@@ -189,7 +190,7 @@ double signed_area(const std::vector<Index>& loop, const AnalyticSurface& surfac
                    const std::vector<UV>& uv) {
   double sum = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    const UV a = surface.plane(uv[loop[i]]), b = surface.plane(uv[loop[(i + 1) % loop.size()]]);
+    const UV a = surface.plane(uv[loop[i]]), b = surface.plane(uv[loop[next_in(i, loop.size())]]);
     sum += a.u * b.v - a.v * b.u;
   }
   return sum / 2;

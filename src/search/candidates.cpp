@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/vec.h"
 
 namespace rimline {
 namespace {
@@ -153,7 +154,7 @@ Candidates find_candidates(const TriangleSet& set, const LocalSizes& sizes,
     candidates.spread[i] = sizes.spread(x);
     candidates.gain[i] = w.open + w.size * candidates.log_ratio[i] + w.own * own;
     for (int k = 0; k < 3; ++k) {
-      const Index a = x[k], b = x[(k + 1) % 3], beside = set.across(t, k);
+      const Index a = x[k], b = x[next_in(k, 3)], beside = set.across(t, k);
       candidates.slots[i][k] = position(candidates.vertices, x[k]);
       candidates.beside[i][k] = beside;
       candidates.candidate_beside[i][k] =

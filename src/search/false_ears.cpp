@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/vec.h"
 #include "evidence/jaggedness.h"
 #include "evidence/probability.h"
 #include "evidence/rim_probability.h"
@@ -30,7 +31,7 @@ std::vector<Ear> find_false_ears(const TriangleSet& set, const Selection& select
   for (const auto& rim : rims) {
     const std::vector<double> jagged = jaggedness(set.points(), rim);
     for (std::size_t i = 0; i < rim.size(); ++i) {
-      const Index a = rim[i], b = rim[i + 1 < rim.size() ? i + 1 : 0];
+      const Index a = rim[i], b = rim[next_in(i, rim.size())];
       if (jagged[i] == 0) continue;
       const Index t = selected_triangle(set, selection, a, b);
       const Index behind = set.apex(t, a, b);

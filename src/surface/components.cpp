@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/vec.h"
 #include "rimline/unfilled.h"
 
 namespace rimline {
@@ -173,7 +174,7 @@ class Blocks {
     for (int k = 0; k < 3; ++k) {
       const Index other = set_.across(t, k);
       if (other >= end && selected_[other])
-        seams.push_back({t, other, runs(set_.triangle(other), x[(k + 1) % 3], x[k])});
+        seams.push_back({t, other, runs(set_.triangle(other), x[next_in(k, 3)], x[k])});
     }
   }
 
@@ -203,7 +204,7 @@ class Blocks {
       turned_[t] = is_turned(state);
       Piece& piece = pieces[part_of(state)];
       const Triangle& x = set_.triangle(t);
-      const Point normal = cross(p[x[1]] - p[x[0]], p[x[2]] - p[x[0]]);
+      const Point normal = triangle_normal(p, x);
       piece.normal = piece.normal + (1.0 - 2.0 * turned_[t]) * normal;
       piece.area += norm(normal);
     }
@@ -230,7 +231,7 @@ std::vector<Index> walk_component(const TriangleSet& set, const Selection& selec
     for (int k = 0; k < 3; ++k) {
       const Index other = set.across(members[i], is_turned ? 2 - k : k);
       if (other == none || !selected[other] || components.of_triangle[other] != none) continue;
-      components.turned[other] = runs(set.triangle(other), t[k], t[(k + 1) % 3]);
+      components.turned[other] = runs(set.triangle(other), t[k], t[next_in(k, 3)]);
       components.of_triangle[other] = number;
       members.push_back(other);
     }
@@ -253,7 +254,7 @@ void orient_one_sided(const TriangleSet& set, const Selection& selected, Index f
   double area = 0;
   for (const Index t : members) {
     const Triangle& x = set.triangle(t);
-    const Point normal = cross(p[x[1]] - p[x[0]], p[x[2]] - p[x[0]]);
+    const Point normal = triangle_normal(p, x);
     sum = sum + (components.turned[t] ? -1.0 : 1.0) * normal;
     area += norm(normal);
   }

@@ -13,6 +13,7 @@
 
 #include "base/parallel.h"
 #include "base/prefault.h"
+#include "base/vec.h"
 
 namespace rimline {
 namespace {
@@ -48,7 +49,7 @@ std::uint32_t corner_between(Star star, Index a, Index b) {
     return star[before] == b ? static_cast<std::uint32_t>(before) : nowhere;
   }
   for (std::size_t i = 0; i < count; ++i) {  // two or fewer in the star, or too many, or one of them twice
-    const Index x = star[i], y = star[i + 1 < count ? i + 1 : 0];
+    const Index x = star[i], y = star[next_in(i, count)];
     if ((x == a && y == b) || (x == b && y == a)) return static_cast<std::uint32_t>(i);
   }
   return nowhere;
@@ -98,7 +99,7 @@ class StarReader {
   void read_agreed(Index v, std::vector<Agreed>& agreed) {
     const Star star = stars_[v];
     for (std::size_t i = 0; i < star.size(); ++i) {
-      const Index a = star[i], b = star[i + 1 < star.size() ? i + 1 : 0];
+      const Index a = star[i], b = star[next_in(i, star.size())];
       if (a < v || b < v) continue;  // `none` is below all
       const std::uint32_t in_a = corner_between(stars_[a], v, b);
       if (in_a == nowhere) continue;
@@ -116,7 +117,7 @@ class StarReader {
     const Star star = stars_[v];
     for (std::size_t i = 0; i < star.size(); ++i) {
       if (is_read_[stars_.start(v) + i]) continue;
-      const Index a = star[i], b = star[i + 1 < star.size() ? i + 1 : 0];
+      const Index a = star[i], b = star[next_in(i, star.size())];
       if (a == none || b == none) continue;
       const bool by_a = corner_between(stars_[a], v, b) != nowhere;
       const bool by_b = corner_between(stars_[b], v, a) != nowhere;
@@ -204,7 +205,7 @@ class Proposer {
   void offer_at(Index t) {
     const Triangle triangle = set_.triangle(t);
     for (int i = 0; i < 3; ++i) {
-      const Index a = triangle[i], b = triangle[(i + 1) % 3];
+      const Index a = triangle[i], b = triangle[next_in(i, 3)];
       if (set_.across(t, i) != none) continue;
       offer(t, a, b);
       offer(t, b, a);

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "base/parallel.h"
+#include "base/vec.h"
 
 namespace rimline {
 namespace {
@@ -79,7 +80,7 @@ std::vector<std::vector<Index>> walk_rims(const TriangleSet& set, const Selectio
   };
   std::vector<std::vector<Index>> loops;
   for (const auto& [t, i] : sides) {
-    Index a = set.triangle(t)[i], b = set.triangle(t)[(i + 1) % 3], at = t;
+    Index a = set.triangle(t)[i], b = set.triangle(t)[next_in(i, 3)], at = t;
     std::vector<Index> walk;
     while (!(seen[at] & bit_of(at, a, b))) {
       seen[at] |= bit_of(at, a, b);

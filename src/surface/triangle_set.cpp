@@ -9,11 +9,12 @@
 #include "base/compaction.h"
 #include "base/parallel.h"
 #include "base/prefault.h"
+#include "base/vec.h"
 
 namespace rimline {
 
 double circumradius(Point a, Point b, Point c) {
-  const double twice_area = norm(cross(b - a, c - a));
+  const double twice_area = norm(triangle_normal(a, b, c));
   if (twice_area <= 0) return std::numeric_limits<double>::infinity();
   return distance(a, b) * distance(b, c) * distance(c, a) / (2 * twice_area);
 }
@@ -62,7 +63,7 @@ void TriangleSet::gather_at_vertex(Index vertex) {
 void TriangleSet::link_at_vertex(Index vertex, Star star) {
   const Index* at = at_vertex_.data() + stars_[vertex].first;
   for (std::size_t i = 0; i < star.size(); ++i) {
-    const std::size_t next = i + 1 < star.size() ? i + 1 : 0;
+    const std::size_t next = next_in(i, star.size());
     if (star[next] < vertex || at[i] == none || at[next] == none || i == next) continue;
     beside_[at[i]][edge_of(at[i], vertex, star[next])] = at[next];
     beside_[at[next]][edge_of(at[next], vertex, star[next])] = at[i];
@@ -85,7 +86,7 @@ void TriangleSet::add(const Triangle& triangle) {
   const Index id = size();
   std::array<Index, 3> beside{none, none, none};
   for (int i = 0; i < 3; ++i) {
-    const Index a = triangle[i], b = triangle[(i + 1) % 3];
+    const Index a = triangle[i], b = triangle[next_in(i, 3)];
     Index found[2];
     if (edge(a, b, found) != 1) continue;
     Index& back = beside_[found[0]][edge_of(found[0], a, b)];
@@ -140,7 +141,7 @@ int TriangleSet::edge(Index a, Index b, Index (&found)[2]) const {
 
 bool TriangleSet::can_add(const Triangle& triangle) const {
   for (int i = 0; i < 3; ++i) {
-    const Index a = triangle[i], b = triangle[(i + 1) % 3], c = triangle[(i + 2) % 3];
+    const Index a = triangle[i], b = triangle[next_in(i, 3)], c = triangle[(i + 2) % 3];
     Index found[2];
     const int count = edge(a, b, found);
     if (count == 2) return false;
@@ -150,7 +151,7 @@ bool TriangleSet::can_add(const Triangle& triangle) const {
     }
   }
   for (int i = 0; i < 3; ++i) {
-    if (!fits_around(triangle[i], triangle[(i + 1) % 3], triangle[(i + 2) % 3])) return false;
+    if (!fits_around(triangle[i], triangle[next_in(i, 3)], triangle[(i + 2) % 3])) return false;
   }
   return true;
 }
@@ -187,7 +188,7 @@ bool TriangleSet::fits_around(Index vertex, Index a, Index b) const {
   for (const Index t : star(vertex)) {
     const Triangle& x = triangles_[t];
     const int at = x[0] == vertex ? 0 : x[1] == vertex ? 1 : 2;
-    corner(x[(at + 1) % 3], x[(at + 2) % 3], other_middle, other_half);
+    corner(x[next_in(at, 3)], x[(at + 2) % 3], other_middle, other_half);
     if (std::abs(std::remainder(middle - other_middle, turn)) < half + other_half - overlap) return false;
   }
   return true;

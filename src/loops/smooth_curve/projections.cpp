@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "base/parallel.h"
+#include "base/vec.h"
 
 namespace rimline {
 namespace {
@@ -27,7 +28,7 @@ class PointNumbers {
 
   std::uint32_t of(Index point) {
     std::size_t at = static_cast<std::uint32_t>(point) * 2654435769u >> shift_;
-    while (slots_[at].point != point && slots_[at].point != none) at = at + 1 < slots_.size() ? at + 1 : 0;
+    while (slots_[at].point != point && slots_[at].point != none) at = next_in(at, slots_.size());
     if (slots_[at].point == none) slots_[at] = {point, count_++};
     return slots_[at].number;
   }

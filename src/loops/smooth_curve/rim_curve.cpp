@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/vec.h"
 
 namespace rimline {
 namespace {
@@ -118,7 +119,7 @@ std::optional<RimCurve> fit_rim_curve(Points points, const Neighbours& neighbour
 std::vector<double> RimCurve::running_count() const {
   std::vector<double> running{0};
   for (std::size_t i = 0; i < knots_.size(); ++i) {
-    const Knot &a = knots_[i], &b = knots_[i + 1 < knots_.size() ? i + 1 : 0];
+    const Knot &a = knots_[i], &b = knots_[next_in(i, knots_.size())];
     running.push_back(running.back() +
                       a.along_density * distance(a.at, b.at) / (0.5 * (a.spacing + b.spacing)));
   }
@@ -129,7 +130,7 @@ double RimCurve::strip(double depth) const {
   double sum = 0;
   const auto moved = [&](const Knot& k) { return k.at - depth * k.spacing * k.out; };
   for (std::size_t i = 0; i < knots_.size(); ++i) {
-    const Knot &a = knots_[i], &b = knots_[i + 1 < knots_.size() ? i + 1 : 0];
+    const Knot &a = knots_[i], &b = knots_[next_in(i, knots_.size())];
     sum += distance(moved(a), moved(b)) / (0.5 * (a.spacing + b.spacing)) / a.out_density;
   }
   return sum;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/vec.h"
 #include "evidence/probability.h"
 #include "loops/smooth_curve/smooth_loop.h"
 #include "rimline/find_genetic_loop.h"
@@ -18,7 +19,7 @@ std::vector<Point> normals_along(const Loop& loop, const RimEvidence& e) {
   for (std::size_t i = 0; i < n; ++i) {
     const Triangle& t =
         e.set.triangle(selected_triangle(e.set, e.selection, loop.points[i], loop.points[(i + 1) % n]));
-    const Point normal = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+    const Point normal = triangle_normal(points, t);
     normals.push_back((1 / std::max(norm(normal), 1e-300)) * normal);
   }
   return normals;

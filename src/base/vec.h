@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small geometry that every room needs: rings, triangles in space.
+#pragma once
+
+#include <cmath>
+
+#include "rimline/mesh.h"
+#include "rimline/points.h"
+
+namespace rimline {
+
+// The place after `i` in a ring of `count`, whose last is followed by its first.
+template <class Place, class Count>
+constexpr Place next_in(Place i, Count count) {
+  return i + 1 < static_cast<Place>(count) ? i + 1 : 0;
+}
+
+// The normal of a triangle, as long as twice its area; the triangle is counter-clockwise seen from its tip.
+constexpr Point triangle_normal(Point a, Point b, Point c) { return cross(b - a, c - a); }
+constexpr Point triangle_normal(Points points, const Triangle& t) {
+  return triangle_normal(points[t[0]], points[t[1]], points[t[2]]);
+}
+
+inline double triangle_area(Points points, const Triangle& t) {
+  return 0.5 * norm(triangle_normal(points, t));
+}
+
+}  // namespace rimline
