@@ -30,7 +30,7 @@ Inputs read_inputs(const MethodArguments& arguments, Session& session) {
   inputs.cloud = read_cloud(arguments.input.path, arguments.input.filter, session.run());
   inputs.given.normals = inputs.cloud.normals();
   if (!arguments.use_loops.empty()) {
-    inputs.given.loops = read_loops(arguments.use_loops, inputs.cloud.points.size());
+    inputs.given.loops = read_loops(arguments.use_loops, inputs.cloud.points.size(), session.run());
   }
   if (!arguments.reference.empty()) {
     MeshFile reference = read_mesh(arguments.reference, session.run());

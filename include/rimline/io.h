@@ -92,7 +92,9 @@ void check_loops_path(const std::string& path);
 
 // Reads the loops of a LOOPS.json, ids checked against `point_count`: in range, at least three, none twice in
 // a loop (a repeated closing id is dropped), and made for as many points where it says so. Of a loop only
-// `points` is required. Throws CannotRead.
-std::vector<Loop> read_loops(const std::string& path, std::size_t point_count);
+// `points` is required; without `kind` it is outer, until the pipeline knows
+// better. Throws CannotRead, and OutOfMemory where the
+// run's limit may not suffice.
+std::vector<Loop> read_loops(const std::string& path, std::size_t point_count, const Run& run = {});
 
 }  // namespace rimline

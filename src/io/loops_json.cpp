@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <new>
 #include <nlohmann/json.hpp>
 
-#include "io/source.h"
+#include "io/readers.h"
 #include "rimline/io.h"
 
 namespace rimline {
@@ -29,6 +30,17 @@ class LoopsReader {
  public:
   LoopsReader(const io::Source& source, std::size_t point_count)
       : source_(source), point_count_(point_count) {}
+
+  // The tree that the text becomes takes up to 32 bytes a byte: of brackets, or of short numbers in lists that
+  // grow.
+  void check_limit(const Run& run) const {
+    constexpr std::size_t tree = 32;
+    if (run.memory_limit == 0 || source_.bytes().size() <= run.memory_limit / tree) return;
+    throw Error(ErrorCode::OutOfMemory,
+                source_.name() + ": its loops may need " + std::to_string(tree * source_.bytes().size()) +
+                    " bytes, more than the memory limit of " + std::to_string(run.memory_limit) +
+                    "; raise the limit");
+  }
 
   std::vector<Loop> read() const {
     const Json json = parse();
@@ -109,7 +121,7 @@ class LoopsReader {
 
   LoopKind read_kind(const Json& item, std::size_t number) const {
     const auto kind = item.find("kind");
-    if (kind == item.end() || *kind == name(LoopKind::Outer)) return LoopKind::Outer;
+    if (kind == item.end() || kind->is_null() || *kind == name(LoopKind::Outer)) return LoopKind::Outer;
     if (*kind == name(LoopKind::Hole)) return LoopKind::Hole;
     fail_loop(number, "has the kind " + quoted(*kind) + "; known are outer and hole");
   }
@@ -138,9 +150,18 @@ std::string loops_to_json(const std::vector<Loop>& loops, std::size_t point_coun
   return text + " \"points\": " + std::to_string(point_count) + "}\n";
 }
 
-std::vector<Loop> read_loops(const std::string& path, std::size_t point_count) {
-  const io::Source source = io::load(path, Run{});
-  return LoopsReader(source, point_count).read();
+std::vector<Loop> io::read_loops(const Source& source, std::size_t point_count, const Run& run) {
+  try {
+    const LoopsReader reader(source, point_count);
+    reader.check_limit(run);
+    return reader.read();
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::OutOfMemory, source.name() + ": its loops do not fit into memory");
+  }
+}
+
+std::vector<Loop> read_loops(const std::string& path, std::size_t point_count, const Run& run) {
+  return io::read_loops(io::load(path, run), point_count, run);
 }
 
 }  // namespace rimline

@@ -6,6 +6,7 @@
 #include "io/faces.h"
 #include "io/source.h"
 #include "rimline/cloud.h"
+#include "rimline/mesh.h"
 
 namespace rimline::io {
 
@@ -25,6 +26,9 @@ void read_obj_faces(const Source& source, const Cloud& cloud, Faces& faces);
 void read_off_faces(const Source& source, const Cloud& cloud, Faces& faces);
 void read_stl_faces(const Source& source, const Cloud& cloud, Faces& faces);
 void read_glb_faces(const Source& source, const Cloud& cloud, Faces& faces);
+
+// LOOPS.json, schema 1, as rimline::read_loops reads it.
+std::vector<Loop> read_loops(const Source& source, std::size_t point_count, const Run& run = {});
 
 // True where the size is the one that the number of triangles in the header asks for.
 bool is_stl_binary(std::string_view bytes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ours in place of sections 3 and 5: every loop of every component, each component a patch of its own.
 #include "pipeline/given_loops.h"
+#include "pipeline/loop_kinds.h"
 #include "pipeline/mesh_patches.h"
 #include "pipeline/method.h"
 
@@ -39,7 +40,8 @@ FoundLoops find_all_loops(const PreparedPoints& prepared, const BoundaryScores& 
   found.probability = std::move(survey.probability);
   found.search = summarize(std::move(survey.search));
   if (!given.loops.empty()) {  // the triangles, which end at other loops, would tell the parts wrongly apart
-    found.loops = arrange_loops(given.loops, prepared, scores, options.loops);
+    found.loops = with_one_outer_loop_a_part(
+        arrange_loops(given.loops, prepared, scores, options.loops), prepared, run);
     found.label = label_boundary(std::move(survey.label), found.loops);
     return found;
   }

@@ -30,6 +30,30 @@ std::vector<Loop> in_arranged_ids(std::vector<Loop> loops, const PreparedPoints&
 
 }  // namespace
 
+void check_given_loops(const std::vector<Loop>& loops, std::size_t point_count) {
+  std::vector<Index> all;
+  for (const Loop& loop : loops) {
+    if (loop.points.size() < 3)
+      throw Error(ErrorCode::BadOption, "a given loop has fewer than three points", loop.points);
+    all.insert(all.end(), loop.points.begin(), loop.points.end());
+  }
+  std::sort(all.begin(), all.end());
+  if (all.empty()) return;
+  if (all.front() < 0 || all.back() >= static_cast<Index>(point_count)) {
+    const Index id = all.front() < 0 ? all.front() : all.back();
+    throw Error(ErrorCode::BadOption, "a given loop names a point that the input does not have", {id});
+  }
+  std::vector<Index> repeated;
+  for (auto at = all.begin(); (at = std::adjacent_find(at, all.end())) != all.end(); ++at) {
+    if (repeated.empty() || repeated.back() != *at) repeated.push_back(*at);
+  }
+  if (repeated.empty()) return;
+  throw Error(ErrorCode::BadOption,
+              "given loops repeat points or share them, but a boundary passes each of its points once; lead "
+              "one pass over a neighbour of each",
+              std::move(repeated));
+}
+
 std::vector<Loop> arrange_loops(std::vector<Loop> given, const PreparedPoints& prepared,
                                 const BoundaryScores& scores, const LoopOptions& options) {
   std::vector<Loop> loops = in_arranged_ids(std::move(given), prepared);

@@ -10,6 +10,10 @@
 
 namespace rimline::pipeline {
 
+// Throws BadOption for loops of fewer than three points, or with ids that the input does not have; and, with the
+// ids, for points that a loop passes twice or that are on two loops: a boundary passes each of its points once.
+void check_given_loops(const std::vector<Loop>& loops, std::size_t point_count);
+
 // The given loops in ids of the arrangement, with their lengths and fitness. Throws BadOption, naming the
 // points of the loops that take no part.
 std::vector<Loop> arrange_loops(std::vector<Loop> given, const PreparedPoints& prepared,

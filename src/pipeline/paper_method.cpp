@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "pipeline/given_loops.h"
+#include "pipeline/loop_kinds.h"
 #include "pipeline/method.h"
 #include "pipeline/orientation.h"
 #include "rimline/delaunay.h"
@@ -41,7 +42,8 @@ FoundLoops find_loop(const PreparedPoints& prepared, const BoundaryScores& score
   clock.enter(Stage::Loops);
   FoundLoops found;
   if (!given.loops.empty()) {
-    found.loops = arrange_loops(given.loops, prepared, scores, options.loops);
+    found.loops =
+        with_one_outer_loop(arrange_loops(given.loops, prepared, scores, options.loops), prepared);
     return found;
   }
   GeneticLoop genetic = with_ids_of_input(prepared, [&] {

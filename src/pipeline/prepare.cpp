@@ -2,6 +2,7 @@
 #include "pipeline/prepare.h"
 
 #include "base/domain_traits.h"
+#include "pipeline/given_loops.h"
 #include "rimline/measure.h"
 
 namespace rimline::pipeline {
@@ -25,13 +26,7 @@ void check_input(Points input, const Options& options, const Given& given) {
   if (!given.normals.empty() && given.normals.size() != input.size()) {
     throw Error(ErrorCode::BadOption, "there must be one normal per point, or none");
   }
-  for (const Loop& loop : given.loops) {
-    for (const Index id : loop.points) {
-      if (id < 0 || id >= static_cast<Index>(input.size())) {
-        throw Error(ErrorCode::BadOption, "a given loop names a point that the input does not have", {id});
-      }
-    }
-  }
+  check_given_loops(given.loops, input.size());
 }
 
 PreparedPoints prepare(Points input, const Options& options, const Run& run, StageClock& clock) {

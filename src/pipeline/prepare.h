@@ -25,8 +25,8 @@ struct PreparedPoints {
   const std::vector<Index>& ids() const { return arrangement.ids; }
 };
 
-// Throws BadOption for options out of range, corners and given loops that name points which the input does
-// not have, and normals that are not one per point.
+// Throws BadOption for corners that name points which the input does not have, normals that are not one per
+// point, and given loops as check_given_loops() does.
 void check_input(Points input, const Options& options, const Given& given);
 
 PreparedPoints prepare(Points input, const Options& options, const Run& run, StageClock& clock);

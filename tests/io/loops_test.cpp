@@ -56,6 +56,27 @@ TEST_CASE("loops made by hand need nothing but points, and may repeat the first 
   REQUIRE(loops.size() == 2);
   CHECK(loops[0].points == std::vector<Index>{3, 0, 2});
   CHECK(loops[0].kind == LoopKind::Outer);
+  CHECK(read_loops(directory.file("n.json", R"({"loops": [{"points": [1, 2, 3], "kind": null}]})"), 7)[0].kind ==
+        LoopKind::Outer);
+}
+
+TEST_CASE("loops honour the memory limit, also where a small file would become a large tree") {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("l.json", R"({"loops": [{"points": [0, 1, 2]}], "x": [)" +
+                                                        std::string(20000, ' ') + "]}");
+  Run run;
+  run.memory_limit = 1'000'000;
+  CHECK(read_loops(path, 3, run).size() == 1);
+  for (const std::size_t limit : {100'000, 10'000}) {
+    run.memory_limit = limit;
+    try {
+      read_loops(path, 3, run);
+      FAIL("was read");
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::OutOfMemory);
+      CHECK(contains(error.what(), "l.json"));
+    }
+  }
 }
 
 TEST_CASE("loops that can not be right are refused by number") {
