@@ -27,7 +27,7 @@ def skip(why):
 
 
 def load_ruler(data):
-    path = os.environ.get("RIMLINE_SCORE", os.path.join(data, "..", "tools", "score.py"))
+    path = os.environ.get("RIMLINE_SCORE", os.path.join(data.split(":")[0], "..", "tools", "score.py"))
     if not os.path.exists(path):
         skip("no score.py")
     try:
@@ -40,7 +40,7 @@ def load_ruler(data):
 
 
 def truth_of(data, name, endings):
-    paths = (os.path.join(data, name + ending) for ending in endings)
+    paths = (os.path.join(folder, name + ending) for folder in data.split(":") for ending in endings)
     return next((p for p in paths if os.path.exists(p)), None)
 
 
@@ -84,7 +84,7 @@ def main():
         for row in rows:
             name = row["shape"]
             stem = os.path.join(folder, f"{name}.{row['method']}")
-            points = os.path.join(data, name + ".ply")
+            points = truth_of(data, name, (".ply",))
             for part, file, endings, judge in (
                     ("loops", stem + ".loops.json", (".truth.ply", ".loops.json"), ruler.score_loops),
                     ("mesh", stem + ".mesh.ply", (".truth.ply",), ruler.score_mesh)):

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "quality/data_sets.h"
 
-#include <algorithm>
 #include <filesystem>
+#include <set>
+#include <sstream>
 
 #include "quality/ply_faces.h"
 #include "rimline/io.h"
@@ -12,6 +13,13 @@ namespace rimline::bench {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::vector<std::string> split(const std::string& folders) {
+  std::vector<std::string> parts;
+  std::istringstream names(folders);
+  for (std::string folder; std::getline(names, folder, ':');) parts.push_back(folder);
+  return parts;
+}
 
 void read_truth_mesh(const std::string& stem, Case& c) {
   const std::string path = stem + ".truth.ply";
@@ -32,20 +40,30 @@ void read_truth_loops(const std::string& stem, Case& c) {
 
 }  // namespace
 
-std::vector<CaseName> data_cases(const std::string& folder) {
-  std::vector<CaseName> cases;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const fs::path file = entry.path().filename();
-    // "mannequin.ply", not "mannequin.truth.ply"
-    if (file.extension() != ".ply" || file.stem().has_extension()) continue;
-    cases.push_back({"data", file.stem().string(), "", 0, 0, 0, 1});
+std::vector<CaseName> data_cases(const std::string& folders) {
+  std::set<std::string> names;  // in order; two folders may have the same
+  for (const std::string& folder : split(folders)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const fs::path file = entry.path().filename();
+      // "mannequin.ply", not "mannequin.truth.ply"
+      if (file.extension() == ".ply" && !file.stem().has_extension()) names.insert(file.stem().string());
+    }
   }
-  std::sort(cases.begin(), cases.end(), [](const auto& a, const auto& b) { return a.shape < b.shape; });
+  std::vector<CaseName> cases;
+  for (const std::string& name : names) cases.push_back({"data", name, "", 0, 0, 0, 1});
   return cases;
 }
 
-Case read_data_set(const std::string& folder, const CaseName& name) {
-  const std::string stem = folder + "/" + name.shape;
+std::string data_path(const std::string& folders, const std::string& file) {
+  for (const std::string& folder : split(folders)) {
+    if (fs::exists(folder + "/" + file)) return folder + "/" + file;
+  }
+  return folders + "/" + file;
+}
+
+Case read_data_set(const std::string& folders, const CaseName& name) {
+  const std::string set = data_path(folders, name.shape + ".ply");
+  const std::string stem = set.substr(0, set.size() - std::string(".ply").size());
   Cloud cloud = read_cloud(stem + ".ply", {});
   Case c;
   c.name = name;

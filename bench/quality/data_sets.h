@@ -12,8 +12,12 @@
 namespace rimline::bench {
 
 // Ascending by name.
-std::vector<CaseName> data_cases(const std::string& folder);
+// `folders`: one, or several parted by `:`, of which the first that has a set gives it.
+std::vector<CaseName> data_cases(const std::string& folders);
+
+// The path of a file of a set, without regard to whether it is there where none of the folders has it.
+std::string data_path(const std::string& folders, const std::string& file);
 // Throws rimline::Error{CannotRead}.
-Case read_data_set(const std::string& folder, const CaseName& name);
+Case read_data_set(const std::string& folders, const CaseName& name);
 
 }  // namespace rimline::bench

@@ -27,7 +27,7 @@ struct Settings {
 };
 
 void declare(CLI::App& app, Settings& s) {
-  app.add_option("--data", s.plan.data, "data folder; analytic cases alone without it")
+  app.add_option("--data", s.plan.data, "data folders, parted by a colon; analytic cases alone without them")
       ->envname("RIMLINE_DATA");
   app.add_option("--seed", s.analytic.seed, "every case's seed is drawn from it")->capture_default_str();
   app.add_option("--draws", s.analytic.draws, "seeds a case, for the default")->capture_default_str();
@@ -74,7 +74,7 @@ void make_quick(Settings& s) {
 
 bool is_small(const std::string& data, const CaseName& name) {
   constexpr std::uintmax_t quick_bytes = 300'000;
-  return fs::file_size(data + "/" + name.shape + ".ply") <= quick_bytes;
+  return fs::file_size(data_path(data, name.shape + ".ply")) <= quick_bytes;
 }
 
 // The data sets first: the largest of them takes longest.

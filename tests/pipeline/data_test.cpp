@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real scans with known boundary, from the folder that the environment variable RIMLINE_DATA names. Without
+// Real scans with known boundary, from the folders that the environment variable RIMLINE_DATA lists. Without
 // it these tests have nothing to check, and scripts/test says so.
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <set>
 #include <string>
 
+#include "data.h"
 #include "mesh/edges.h"
 #include "rimline/io.h"
 #include "rimline/pipeline.h"
@@ -16,13 +15,7 @@
 namespace rimline {
 namespace {
 
-// The path of a set, or "" where there is no such folder or file.
-std::string path_of(const std::string& set) {
-  const char* folder = std::getenv("RIMLINE_DATA");
-  if (folder == nullptr) return "";
-  const std::string path = std::string(folder) + "/" + set + ".ply";
-  return std::filesystem::exists(path) ? path : "";
-}
+std::string path_of(const std::string& set) { return data_file(set + ".ply"); }
 
 struct Extent {
   double low, high;
