@@ -33,6 +33,7 @@ struct stat status_of(const std::string& path) {
 
 }  // namespace
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they make threads of their own
 TEST_CASE("a user who may make no thread gets the same bytes from one") {
   const Folder folder;
   fs::permissions(folder / ".", fs::perms::all);
@@ -56,7 +57,7 @@ TEST_CASE("a user who may make no thread gets the same bytes from one") {
   }
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve terabytes of addresses
+// They also reserve terabytes of addresses.
 TEST_CASE("whatever the address space, the tool ends with the same bytes or with status 4") {
   const Folder folder;
   const std::string input = sample(folder, "sphere-minus-cap", "2000");
