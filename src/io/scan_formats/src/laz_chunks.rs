@@ -28,6 +28,9 @@ pub struct Chunks {
     left: u64, // points of the chunk that is being decoded
 }
 
+/// Each extra byte of a point has models of its own, some kilobytes; no scanner writes as many.
+const MOST_RECORD_BYTES: usize = 4096;
+
 const TRUNCATED: &str = "has compressed points that are cut short or damaged; copy it again";
 
 fn vlr_of(header: &Header) -> Result<LazVlr> {
@@ -84,6 +87,9 @@ impl Chunks {
         let vlr = vlr_of(header)?;
         if vlr.items_size() != record as u64 {
             return Err("has compressed points of another size than its header says; export it again".into());
+        }
+        if record > MOST_RECORD_BYTES {
+            return Err(format!("has {record} bytes a point, more than the {MOST_RECORD_BYTES} that are decoded; unpack it to LAS"));
         }
         // The compressor is the first number of the record; the crate does not show it.
         let single = header.vlrs().iter().any(|v| {
