@@ -89,17 +89,50 @@ CellStyle style_of(std::string_view text) {
   return {};
 }
 
-bool read_cells(std::string_view line, std::size_t width, CellStyle style, std::vector<double>& values) {
+std::vector<std::string_view> split_hard(std::string_view line, CellStyle style) {
+  std::vector<std::string_view> cells;
+  for (line = trimmed(line); !line.empty();) {
+    const auto* stop = std::find_if(line.begin(), line.end(), [&](char c) { return style.parts(c); });
+    const auto length = static_cast<std::size_t>(stop - line.begin());
+    cells.push_back(without_quotes(trimmed(line.substr(0, length))));
+    line.remove_prefix(std::min(length + 1, line.size()));
+  }
+  return cells;
+}
+
+namespace {
+
+// The end of a cell of text: the next separator, or a blank where the line has no other.
+const char* skip_text(const char* at, const char* end, CellStyle style) {
+  const char* hard = std::find_if(at, end, [&](char c) { return style.parts(c); });
+  return hard != end ? hard : std::find_if(at, end, is_blank);
+}
+
+// Reads one number, in quotes or not; nullptr where there is none.
+const char* read_cell(const char* at, const char* end, CellStyle style, double& value) {
+  const bool in_quotes = at < end && *at == '"';
+  const char* after = read_decimal(at + (in_quotes ? 1 : 0), end, style, value);
+  if (after == nullptr || !in_quotes) return after;
+  return after < end && *after == '"' ? after + 1 : nullptr;
+}
+
+}  // namespace
+
+bool read_cells(std::string_view line, const Columns& columns, CellStyle style, std::vector<double>& values) {
   const char* end = line.data() + line.size();
   const char* at = skip_blanks(line.data(), end);
-  for (std::size_t i = 0; i < width; ++i) {
-    double value = 0;
-    const bool in_quotes = at < end && *at == '"';
-    const char* after = read_decimal(at + (in_quotes ? 1 : 0), end, style, value);
-    if (after == nullptr || (in_quotes && (after == end || *after++ != '"'))) return false;
-    values.push_back(value);
+  for (std::size_t i = 0; i < columns.count; ++i) {
+    const char* after = nullptr;
+    if (!columns.text.empty() && columns.text[i] != 0) {
+      after = skip_text(at, end, style);
+    } else {
+      double value = 0;
+      after = read_cell(at, end, style, value);
+      if (after == nullptr) return false;
+      values.push_back(value);
+    }
     at = skip_blanks(after, end);
-    if (at == end) return i + 1 == width;
+    if (at == end) return i + 1 == columns.count;
     if (style.parts(*at)) {
       at = skip_blanks(at + 1, end);
     } else if (at == after) {

@@ -27,7 +27,16 @@ bool is_number(std::string_view cell, CellStyle style);
 // commas, and so has 1,5 2,5 3,5. (In 1,5,2,5,3,5 nothing tells the commas apart.)
 CellStyle style_of(std::string_view text);
 
-// Reads the `width` numbers of a line; false where it has not exactly these.
-bool read_cells(std::string_view line, std::size_t width, CellStyle style, std::vector<double>& values);
+// The cells of a line with commas or semicolons, in which blanks part nothing.
+std::vector<std::string_view> split_hard(std::string_view line, CellStyle style);
+
+// Which cells of a line are taken: all but those of text.
+struct Columns {
+  std::size_t count = 0;        // of a line
+  std::vector<char> text = {};  // 1 for each that is left out; empty where none is
+};
+
+// Reads the numbers of a line; false where it has not exactly the cells that it should have.
+bool read_cells(std::string_view line, const Columns& columns, CellStyle style, std::vector<double>& values);
 
 }  // namespace rimline::io

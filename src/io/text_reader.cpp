@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "io/cells.h"
@@ -65,7 +66,7 @@ class TextReader {
         continue;
       }
       if (table_.names.empty() && !start_table(line)) continue;
-      if (!read_cells(line, table_.width(), style_, table_.values)) next_block(line);
+      if (!read_cells(line, columns_, style_, table_.values)) next_block(line);
     }
     if (table_.names.empty()) source_.fail("has no points: no line of numbers");
     check_count();
@@ -84,11 +85,16 @@ class TextReader {
     const auto cells = split(line, style_);
     const bool numbers =
         std::all_of(cells.begin(), cells.end(), [&](auto cell) { return is_number(cell, style_); });
-    if (!numbers) {
-      if (!header_.empty()) fail_row(line, 0, style_, source_);
+    if (!numbers && header_.empty()) {
+      if (line.starts_with("sep=")) return false;  // of a spreadsheet
       header_ = header_names(line);
       header_line_ = line;
       return false;
+    }
+    if (!numbers) {
+      if (!leave_text_out(line)) fail_row(line, 0, style_, source_);
+      reserve(line);
+      return true;
     }
     if (const auto count = count_of(cells); count && !count_) {
       count_ = count;
@@ -101,8 +107,35 @@ class TextReader {
                                             "; a point needs at least x, y and z");
     }
     name_columns(cells.size(), line);
+    columns_.count = cells.size();
+    reserve(line);
+    return true;
+  }
+
+  void reserve(std::string_view line) {
     const std::size_t rows = source_.bytes().size() / (line.size() + 1) + 1;
-    table_.values.reserve(rows * cells.size());
+    table_.values.reserve(rows * table_.width());
+  }
+
+  // Under a header, columns that start with a text (names of points, kinds of trees) are no properties. False
+  // where the line does not fit the header, or a coordinate is no number.
+  bool leave_text_out(std::string_view line) {
+    const auto coordinates = find_coordinates(header_);
+    auto cells = split(line, style_);
+    if (cells.size() != header_.size()) cells = split_hard(line, style_);
+    if (!coordinates || cells.size() != header_.size()) return false;
+    for (const std::size_t c : coordinates->columns) {
+      if (!is_number(cells[c], style_)) return false;
+    }
+    columns_ = {cells.size(), std::vector<char>(cells.size())};
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (is_number(cells[c], style_)) {
+        table_.names.push_back(header_[c]);
+      } else {
+        columns_.text[c] = 1;
+        left_out_ += (left_out_.empty() ? "" : ", ") + header_[c];
+      }
+    }
     return true;
   }
 
@@ -142,9 +175,7 @@ class TextReader {
     std::string warning = header_.empty() ? guess_names(table_) : "";
     const auto coordinates = find_coordinates(table_.names);
     const auto [x, y, z] = coordinates->columns;
-    const std::string chosen = header_.empty() ? fmt::format("columns {}, {} and {}", x + 1, y + 1, z + 1)
-                                               : fmt::format("{}, {}, {} (columns {}, {} and {})", header_[x],
-                                                             header_[y], header_[z], x + 1, y + 1, z + 1);
+    const std::string chosen = chosen_columns(coordinates->columns);
     if (!coordinates->warning.empty()) warning = coordinates->warning;
     table_.names[x] = std::string("x");
     table_.names[y] = std::string("y");
@@ -153,7 +184,18 @@ class TextReader {
     cloud.coordinates = chosen;
     cloud.unit = coordinates->unit;
     if (!warning.empty()) cloud.warnings.push_back(source_.name() + ": " + warning);
+    if (!left_out_.empty())
+      cloud.warnings.push_back(source_.name() + ": columns of text are left out: " + left_out_);
     return cloud;
+  }
+
+  // By their names and places in the file.
+  std::string chosen_columns(std::array<std::size_t, 3> of_table) const {
+    if (header_.empty())
+      return fmt::format("columns {}, {} and {}", of_table[0] + 1, of_table[1] + 1, of_table[2] + 1);
+    const auto [x, y, z] = find_coordinates(header_)->columns;
+    return fmt::format("{}, {}, {} (columns {}, {} and {})", header_[x], header_[y], header_[z], x + 1, y + 1,
+                       z + 1);
   }
 
   void check_count() const {
@@ -172,6 +214,8 @@ class TextReader {
   std::vector<std::string> header_;
   std::optional<std::uint64_t> count_;  // of the scan that begins at block_begin_
   std::size_t block_begin_ = 0;
+  Columns columns_;
+  std::string left_out_;  // names of columns of text
   Table table_;
 };
 

@@ -2,6 +2,7 @@
 """Files written by others are read as they read them."""
 
 import gzip
+import struct
 
 import numpy as np
 
@@ -159,6 +160,37 @@ def check_e57(tool):
     same(found["scan"], np.repeat([0, 1], [len(halves[0]), len(halves[1])]).astype("u2"), "scan")
 
 
+def check_e57_invalid(tool):
+    """Points that an E57 of pye57 marks invalid have no place."""
+    pye57 = module("pye57")
+    needs_scan_formats(tool)
+    points = surface(tool) - ORIGIN
+    cartesian = {f"cartesian{axis}": points[:, i].copy() for i, axis in enumerate("XYZ")}
+    cartesian["cartesianInvalidState"] = (np.arange(len(points)) % 50 == 0).astype(np.uint8) * 2
+    path = tool.folder / "invalid.e57"
+    file = pye57.E57(str(path), mode="w")
+    file.write_scan_raw(cartesian)
+    file.close()
+    same(np.isnan(tool.points(path)["x"]), cartesian["cartesianInvalidState"] != 0, "invalid points")
+
+
+def check_units(tool):
+    """The unit of a LAS file is that of its reference system, as WKT or as GeoTIFF keys."""
+    laspy = module("laspy")
+    needs_scan_formats(tool)
+    las = make_las(laspy, surface(tool), 7, "1.4")
+    degrees = 'GEOGCS["a",UNIT["degree",0.017]]'
+    keys = (1, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1)
+    for record, data, unit in ((2112, f'PROJCS["b",{degrees},UNIT["metre",1]]'.encode(), "m"),
+                               (2112, f'PROJCS["b",{degrees},UNIT["US survey foot",0.3]]'.encode(), "US survey ft"),
+                               (2112, degrees.encode(), "degrees"), (34735, struct.pack("<12H", *keys, 9002), "ft")):
+        las.header.vlrs = [laspy.VLR("LASF_Projection", record, "", data)]
+        path = tool.folder / "unit.las"
+        las.write(path)
+        told = dict(line.split(maxsplit=1) for line in tool("info", path).splitlines() if " " in line)
+        assert told["unit"].strip() == unit, (told["unit"], unit)
+
+
 def check_npy(tool):
     """NPY as numpy writes it, and any file in gzip."""
     points = surface(tool)
@@ -204,4 +236,4 @@ def check_damage(tool):
             assert done.returncode == 0 or done.stderr.count("\n") == 1, done.stderr
 
 
-CHECKS = [check_las, check_old_las, check_choice, check_copc, check_e57, check_npy, check_damage]
+CHECKS = [check_las, check_old_las, check_choice, check_copc, check_e57, check_e57_invalid, check_units, check_npy, check_damage]

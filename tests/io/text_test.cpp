@@ -95,6 +95,23 @@ TEST_CASE("a header is understood in any case, language of survey and separator"
   CHECK(millimetres.warnings.empty());
 }
 
+TEST_CASE("columns of text under a header are left out, and a warning says which") {
+  for (const std::string text : {"Name,X,Y,Z,Kind,i\nA1,1,2,3,old tree,7\nA 2,4,5,6,,8\n",
+                                 "sep=;\nName;X;Y;Z;Kind;i\n\"A1\";1;2;3;x;7\nB;4;5;6;x y z;8\n",
+                                 "Name X Y Z Kind i\nA1 1 2 3 x 7\n12 4 5 6 y 8\n"}) {
+    CAPTURE(text);
+    const Cloud cloud = read_bytes("a.csv", text);
+    CHECK(cloud.points == std::vector<Point>{{1, 2, 3}, {4, 5, 6}});
+    CHECK(values(cloud, "i") == std::vector<double>{7, 8});
+    CHECK(cloud.columns.size() == 1);
+    CHECK(cloud.coordinates == "x, y, z (columns 2, 3 and 4)");
+    REQUIRE(cloud.warnings.size() == 1);
+    CHECK(contains(cloud.warnings[0], "columns of text are left out: Name, Kind"));
+  }
+  CHECK(contains(complaint("a.csv", "name,x,y,z\na,1,b,3\n"), "line 2: 'a' is not a number"));
+  CHECK(contains(complaint("a.csv", "name,x,y,z\na,1,2,3\nb,1,c,3\n"), "line 3: 'b' is not a number"));
+}
+
 TEST_CASE("degrees are told, as no boundary can be trusted in them") {
   const Cloud cloud = read_bytes("a.csv", "lat,lon,height\n2,1,3\n");
   CHECK(cloud.points == std::vector<Point>{{1, 2, 3}});
