@@ -4,7 +4,7 @@ import pathlib
 
 import numpy as np
 import pyvista
-import rimline.pyvista  # registers cloud.rimline
+import rimline  # and clouds have cloud.rimline
 
 OUT = pathlib.Path("out/examples")
 OUT.mkdir(parents=True, exist_ok=True)

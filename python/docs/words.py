@@ -117,6 +117,7 @@ SUMMARIES = {
     "map_to_disc": "Map the points to the unit disc, eq. (4).",
     "delaunay": "Triangulate places in the plane.",
     "orient_mesh": "Turn a mesh to face its normals, or `up`.",
+    "refine_patch": "Mesh one component from its loops.",
     "refine_surface": "Mesh any number of patches from their loops.",
     "measure_mesh": "Measure a mesh on its triangles alone.",
     "measure_distortion": "Measure how much a map distorts lengths, angles and areas.",

@@ -94,6 +94,7 @@ class Writer:
             text = ""
         else:
             raise SystemExit(f"docs: the C++ headers have no comment on {cpp}(), which rimline.{name} is")
+        text = re.sub(r"\b(\w+)::(?=\w)", r"\1.", text)  # as Python writes it
         sentences = re.split(r"(?<=[.\])])\s+(?=[A-Z`\"])", text)
         throws = [s for s in sentences if s.startswith("Throws")]
         return " ".join(s for s in sentences if not s.startswith("Throws")), throws

@@ -9,8 +9,6 @@ Options are keyword arguments (`rimline.options()`), errors are `rimline.Error` 
 """
 from __future__ import annotations
 
-import sys as _sys
-
 from . import typing
 from ._core import version as __version__
 from ._core import (
@@ -21,9 +19,11 @@ from ._core import (
     ErrorCode,
     GeneticLoop,
     Neighbours,
+    Patch,
     PointLabel,
     Surface,
 )
+from ._accessor import register as _register_accessor
 from ._errors import Error
 from ._files import (
     Cloud,
@@ -63,6 +63,7 @@ from ._stages import (
     measure_mesh,
     orient_mesh,
     p_value,
+    refine_patch,
     refine_surface,
     score,
     score_boundary,
@@ -70,8 +71,7 @@ from ._stages import (
     surface_distance,
 )
 
-if "pyvista" in _sys.modules:
-    from . import pyvista as _accessor
+_register_accessor()
 
 __all__ = [
     "__version__",
@@ -111,6 +111,7 @@ __all__ = [
     "orient_mesh",
     "p_value",
     "parameterize",
+    "Patch",
     "ParameterizeResult",
     "PointLabel",
     "read",
@@ -119,6 +120,7 @@ __all__ = [
     "read_mesh",
     "reconstruct",
     "ReconstructResult",
+    "refine_patch",
     "refine_surface",
     "Sample",
     "sample",

@@ -61,11 +61,15 @@ def boundary(
     threads: int = 0,
     memory_limit: int = 0,
     progress: ProgressLike = None,
+    normals: Optional[npt.ArrayLike] = None,
     loops: Optional[LoopsLike] = None,
+    up: Optional[Sequence[float]] = None,
+    holes: Optional[str] = None,
+    corners: Optional[Sequence[int]] = None,
     **options: Any,
 ) -> BoundaryResult:
-    choice = chosen(boundary, preset, options)
-    given = _given(points, None, loops)
+    choice = chosen(boundary, preset, options | {"up": up, "holes": holes, "corners": corners})
+    given = _given(points, normals, loops)
     kept = _kept(points)
     with Run(seed, threads, memory_limit, progress) as run:
         made = _core.find_boundary(_doubles(kept["points"], given), choice, run, given)

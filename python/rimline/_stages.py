@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import as_doubles, as_ids, as_numbers, as_rows, as_triangles
-from ._core import Arrangement, BoundaryScores, BoundaryLoops, DiscMap, GeneticLoop, Neighbours, Surface
+from ._core import Arrangement, BoundaryScores, BoundaryLoops, DiscMap, GeneticLoop, Neighbours, Patch, Surface
 from ._docs import documented
 from ._loops import as_loops
 from ._options import chosen, takes_options
@@ -163,6 +163,25 @@ def orient_mesh(
 ) -> tuple[Triangles, bool]:
     facing = NO_ROWS if normals is None else as_rows(normals, 3, "normals")
     return _core.orient_mesh(as_doubles(points), as_triangles(triangles), facing, chosen(orient_mesh, "default", {"up": up}))
+
+
+@documented
+@takes_options("map", "mesh")
+def refine_patch(
+    points: PointsLike,
+    neighbours: Neighbours,
+    loops: LoopsLike,
+    *,
+    preset: str = "default",
+    threads: int = 0,
+    progress: ProgressLike = None,
+    holes: Optional[str] = None,
+    corners: Optional[Sequence[int]] = None,
+    **options: Any,
+) -> Patch:
+    choice = chosen(refine_patch, preset, options | {"holes": holes, "corners": corners})
+    with Run(1, threads, 0, progress) as run:
+        return _core.refine_patch(as_doubles(points), neighbours, as_loops(loops), choice, run)
 
 
 @documented

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`cloud.rimline.reconstruct()` on every PyVista data set. `import rimline` registers it where PyVista was imported
-before; else `import rimline.pyvista` does."""
+"""`cloud.rimline.reconstruct()` on every PyVista data set, where both packages were imported, in any order."""
 from __future__ import annotations
 
 from typing import Any

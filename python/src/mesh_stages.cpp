@@ -10,9 +10,9 @@
 #include "loops.h"
 #include "members.h"
 #include "parts.h"
+#include "rimline/delaunay.h"
 #include "rimline/map_to_disc.h"
 #include "rimline/refine_surface.h"
-#include "rimline/delaunay.h"
 
 namespace rimline::python {
 namespace {
@@ -60,6 +60,16 @@ RefineOptions refine_options(const Options& options, bool leave_beside) {
           .fill_points = options.mesh.fill_points};
 }
 
+Patch refine_patch_of(const PointRows& points, const Neighbours& neighbours, const Items& given,
+                      const Options& options, const RunArguments& run) {
+  check_distinct(as_points(points), neighbours);
+  const std::vector<Loop> loops = loops_from_python(given, points.shape(0));
+  if (loops.empty()) throw Error(ErrorCode::NoClosedLoop, "a patch has at least one loop; none is given");
+  return call(run, [&](const Run& r) {
+    return refine_patch(as_points(points), neighbours, loops, refine_options(options, false), r);
+  });
+}
+
 Surface refine_surface_of(const PointRows& points, const Neighbours& neighbours, const Items& given,
                           const TriangleRows& rows, bool leave_beside, const Options& options,
                           const RunArguments& run) {
@@ -83,6 +93,14 @@ void add_mesh_stages(nb::module_& m) {
   nb::class_<DiscMap>(m, "DiscMap")
       .def_prop_ro("uv", &Member<&DiscMap::uv>::view)
       .def_ro("summary", &DiscMap::summary);
+  nb::class_<Patch>(m, "Patch")
+      .def_prop_ro("triangles", &Member<&Patch::triangles>::view)
+      .def_prop_ro("uv", &Member<&Patch::uv>::view)
+      .def_prop_ro("added", &Member<&Patch::added>::view)
+      .def_prop_ro("domain", [](const Patch& p) { return name(p.domain); })
+      .def_ro("map", &Patch::map)
+      .def_ro("uv_flips", &Patch::uv_flips)
+      .def_ro("evened", &Patch::evened);
   nb::class_<Surface>(m, "Surface")
       .def_prop_ro("triangles", &Member<&Surface::triangles>::view)
       .def_prop_ro("triangle_patch", &Member<&Surface::triangle_patch>::view)
@@ -96,6 +114,8 @@ void add_mesh_stages(nb::module_& m) {
   m.def("delaunay", &delaunay_of, nb::arg("uv"), nb::arg("run"));
   m.def("orient_mesh", &orient_mesh_of, nb::arg("points"), nb::arg("triangles"), nb::arg("normals"),
         nb::arg("options"));
+  m.def("refine_patch", &refine_patch_of, nb::arg("points"), nb::arg("neighbours"), nb::arg("loops"),
+        nb::arg("options"), nb::arg("run"));
   m.def("refine_surface", &refine_surface_of, nb::arg("points"), nb::arg("neighbours"), nb::arg("loops"),
         nb::arg("surface_triangles"), nb::arg("leave_beside"), nb::arg("options"), nb::arg("run"));
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import pathlib
 import subprocess
+from collections.abc import Callable
 
 import pytest
 import rimline
@@ -52,3 +53,14 @@ def tool() -> Tool:
     if not os.access(program, os.X_OK):
         pytest.skip("RIMLINE_TOOL names no command line tool")
     return Tool(program)
+
+
+@pytest.fixture
+def figure(capsys: pytest.CaptureFixture[str]) -> Callable[[str], None]:
+    """Prints a measurement, though the test passes."""
+
+    def tell(text: str) -> None:
+        with capsys.disabled():
+            print(f"\nfigure: {text}")
+
+    return tell

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable
 from typing import Optional
 
 import numpy as np
@@ -133,7 +134,7 @@ except KeyboardInterrupt:
 
 
 @pytest.mark.parametrize("after", [0.1, 0.6, 1.5])
-def test_ctrl_c_stops_a_call(after: float) -> None:
+def test_ctrl_c_stops_a_call(after: float, figure: Callable[[str], None]) -> None:
     """Within a second, of which the figure is printed; far longer is a failure."""
     with subprocess.Popen([sys.executable, "-c", INTERRUPTED], stdout=subprocess.PIPE, text=True) as child:
         assert child.stdout is not None and child.stdout.readline() == "ready\n"
@@ -145,5 +146,5 @@ def test_ctrl_c_stops_a_call(after: float) -> None:
         child.stdout.read()
     assert told == "interrupted\n"
     assert child.returncode == 3
-    print(f"Ctrl-C after {after} s: KeyboardInterrupt {1000 * took:.0f} ms later")
+    figure(f"Ctrl-C after {after} s: KeyboardInterrupt {1000 * took:.0f} ms later")
     assert took < 20, "the call went on as if nothing had been"

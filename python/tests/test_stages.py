@@ -27,6 +27,9 @@ def test_stage_by_stage_gives_the_loops_of_the_whole(cap: rimline.Sample) -> Non
         arrangement.points, surface.triangles, rimline.local_spacing(arrangement.points, neighbours), surface.uv
     )
     assert told["euler"] == 1 and told["uv_flips"] == 0
+    patch = rimline.refine_patch(arrangement.points, neighbours, survey.loops, domain="square")
+    assert patch.domain == "square"
+    assert len(patch.triangles) == len(surface.triangles)
 
 
 def test_the_stages_of_the_paper(cap: rimline.Sample) -> None:
