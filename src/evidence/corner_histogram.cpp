@@ -63,6 +63,13 @@ CornerHistogram::CornerHistogram(const TriangleSet& set, const LocalSizes& sizes
   }
 }
 
+CornerHistogram& CornerHistogram::operator+=(const CornerHistogram& other) {
+  for (int a = 0; a < angles; ++a) {
+    for (int r = 0; r < ratios; ++r) count_[a][r] += other.count_[a][r];
+  }
+  return *this;
+}
+
 double CornerHistogram::log_tail(double angle, double log_ratio) const {
   const std::uint32_t like =
       count_[interval(angle, 0, std::numbers::pi, angles)][interval(log_ratio, -3, 3, ratios)];

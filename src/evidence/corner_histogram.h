@@ -22,12 +22,15 @@ class CornerHistogram {
   CornerHistogram(const TriangleSet& set, const LocalSizes& sizes, const Neighbours& neighbours,
                   const std::vector<std::vector<Index>>& rims, const Selection& selected);
 
+  // Adds the corners of another part of the surface: the same as if both had been counted at once.
+  CornerHistogram& operator+=(const CornerHistogram& other);
+
   // Minus the logarithm of the share of these corners that are about as wide or wider, in radians, in
   // triangles of that log_ratio or more. 0 where none were counted.
   double log_tail(double angle, double log_ratio) const;
 
  private:
-  static constexpr int angles = 64, ratios = 64;  // intervals: 3 degrees; a tenth of an e-fold
+  static constexpr int angles = 64, ratios = 64;  // intervals: 3 degrees; a tenth of an e-fold [layout]
 
   std::array<std::array<std::uint32_t, ratios>, angles> count_{};  // in this interval of both or above
 };

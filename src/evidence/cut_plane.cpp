@@ -6,17 +6,14 @@
 #include <limits>
 #include <span>
 
+#include "base/model.h"
+
 namespace rimline {
 namespace {
 
-constexpr std::size_t least_telling = 48;  // points of a rim
-constexpr double flat = 1;                 // spacings: standard deviation of the heights of a cut's points
-constexpr double upright = 0.5;            // sine of the angle to the plane, mean along the rim
-constexpr double least_sine = 0.2;         // at a point
-
 // Less partial than the spacing of a point of the rim, whose neighbours are on one side.
 double spacing_around(const Neighbours& neighbours, const std::vector<double>& spacing, Index point) {
-  const auto near = neighbours.of(point, std::min(12, neighbours.k));
+  const auto near = neighbours.of(point, std::min(model::few_neighbours, neighbours.k));
   double sum = spacing[point];
   for (const Index v : near) sum += spacing[v];
   return sum / static_cast<double>(near.size() + 1);
@@ -27,7 +24,7 @@ double spacing_around(const Neighbours& neighbours, const std::vector<double>& s
 std::optional<CutPlane> CutPlane::find(Points points, const Neighbours& neighbours,
                                        const std::vector<double>& spacing, const std::vector<Frame>& frames,
                                        const std::vector<Index>& rim) {
-  if (rim.size() < least_telling) return {};
+  if (rim.size() < model::cut_least_rim) return {};
   const auto n = static_cast<double>(rim.size());
   CutPlane plane;
   Point behind;  // mean of their neighbours, which are all on one side
@@ -45,8 +42,9 @@ std::optional<CutPlane> CutPlane::find(Points points, const Neighbours& neighbou
     heights.push_back(dot(points[v] - plane.at_, plane.inwards_) / spacing_around(neighbours, spacing, v));
     squared += heights.back() * heights.back() / n;
   }
-  if (squared > flat * flat || sine < upright) return {};
-  const auto outermost = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 20);
+  if (squared > model::cut_flat * model::cut_flat || sine < model::cut_upright) return {};
+  const auto outermost = heights.begin() + static_cast<std::ptrdiff_t>(model::cut_outermost *
+                                                                       static_cast<double>(heights.size()));
   std::nth_element(heights.begin(), outermost, heights.end());
   plane.outermost_ = *outermost;
   return plane;
@@ -60,7 +58,7 @@ double CutPlane::sine(const Frame& frame) const {
 double CutPlane::depth(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                        const std::vector<Frame>& frames, Index point) const {
   const double along = sine(frames[point]);
-  if (along < least_sine) return std::numeric_limits<double>::infinity();
+  if (along < model::cut_least_sine) return std::numeric_limits<double>::infinity();
   const double height = dot(points[point] - at_, inwards_) / spacing_around(neighbours, spacing, point);
   return (height - outermost_) / along;
 }

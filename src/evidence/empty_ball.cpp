@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/model.h"
+
 namespace rimline {
 
 double empty_ball_radius(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                          Index a, Index b, Index inner) {
-  constexpr double most = 5;
+  constexpr double most = model::ball_largest;
   const double h = std::max(spacing[a], spacing[b]);
   const Point middle = 0.5 * (points[a] + points[b]);
   const double half_squared = squared_distance(points[a], points[b]) / 4;
@@ -23,7 +25,7 @@ double empty_ball_radius(Points points, const Neighbours& neighbours, const std:
       if (q == a || q == b || q == inner) continue;
       const Point d = points[q] - middle;
       const double ahead = dot(out, d);
-      if (ahead > 1e-6 * h) nearest = std::min(nearest, (dot(d, d) - half_squared) / (2 * ahead));
+      if (ahead > 1e-6 * h) nearest = std::min(nearest, (dot(d, d) - half_squared) / (2 * ahead));  // [guard]
     }
   }
   return nearest <= 0 ? 0 : std::min(most, std::sqrt(nearest * nearest + half_squared) / h);

@@ -5,25 +5,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/model.h"
 #include "base/prefault.h"
 
 namespace rimline {
 namespace {
 
-constexpr std::size_t to_each_side = 32;      // corners that have a say
-constexpr double even = 0.15, jagged = 0.35;  // mean turning, radians
-constexpr double most = 1.5;                  // radians; a spike is one corner, no more
-constexpr std::size_t least_telling = 48;     // points of a loop
-
 double turning(Points p, Index a, Index b, Index c) {
   const Point in = p[b] - p[a], out = p[c] - p[b];
-  return std::min(most, std::atan2(norm(cross(in, out)), dot(in, out)));
+  return std::min(model::jagged_most, std::atan2(norm(cross(in, out)), dot(in, out)));
 }
 
 }  // namespace
 
 std::vector<double> jaggedness(Points points, const std::vector<Index>& loop) {
-  const std::size_t n = loop.size(), side = std::min(to_each_side, (n - 1) / 2), all = 2 * side + 1;
+  const std::size_t n = loop.size(), side = std::min(model::jagged_reach, (n - 1) / 2), all = 2 * side + 1;
   std::vector<double> sum(n + all, 0);  // of the turnings from corner -side on
   for (std::size_t i = 0; i + 1 < sum.size(); ++i) {
     const std::size_t at = i + n - side;
@@ -33,7 +29,7 @@ std::vector<double> jaggedness(Points points, const std::vector<Index>& loop) {
   std::vector<double> result(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double mean = (sum[i + all] - sum[i]) / static_cast<double>(all) - once_round;
-    result[i] = std::clamp((mean - even) / (jagged - even), 0.0, 1.0);
+    result[i] = std::clamp((mean - model::jagged_none) / (model::jagged_full - model::jagged_none), 0.0, 1.0);
   }
   return result;
 }
@@ -42,7 +38,7 @@ std::vector<double> evenness(Points points, const std::vector<std::vector<Index>
   std::vector<double> result;
   resize_together(result, points.size(), run);
   for (const auto& loop : loops) {
-    if (loop.size() < least_telling) continue;
+    if (loop.size() < model::jagged_least_rim) continue;
     const std::vector<double> jagged = jaggedness(points, loop);
     for (std::size_t i = 0; i < loop.size(); ++i) result[loop[i]] = std::max(result[loop[i]], 1 - jagged[i]);
   }

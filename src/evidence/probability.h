@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From evidence to probability. All coefficients are here: logistic regressions on the analytic shapes (1,000
-// points, noise 0, 0.2 and 0.5) and on sets of known boundary, each set weighted by the root of its points.
+// From evidence to probability: logistic regressions, whose coefficients are in base/model.h.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include "base/model.h"
 #include "evidence/corner_histogram.h"
-#include "search/fitness.h"
 #include "surface/local_size.h"
 #include "surface/triangle_set.h"
 
@@ -15,15 +14,19 @@ namespace rimline {
 
 // What the fitness of the rim would lose if the ear at the middle of five points in a row along it were
 // filled by a triangle: its log odds to be open. Large where there is no ear.
-double ear_log_odds(const TriangleSet& set, const LocalSizes& sizes, const FitnessModel& weights,
-                    const std::array<Index, 5>& run);
+double ear_log_odds(const TriangleSet& set, const LocalSizes& sizes, const model::FitnessModel& weights,
+                    const std::array<Index, 5>& run);  // [layout]
 
-// The same for the ear a, behind, b of a jagged rim: by how wide the rim's edge a, b is seen from the point
-// behind it, how rare corners as wide in triangles as large are on the surface behind the rims, and how
-// jagged the rim is. Where a piece is cut out of a surface, triangles are missing, and what is put in their
-// place is obtuse.
-double false_ear_log_odds(const TriangleSet& set, const LocalSizes& sizes, const CornerHistogram& usual,
-                          const Triangle& ear, double jaggedness);
+// What tells whether the selected triangle a, behind, b at the edge a, b of a jagged rim is a false ear:
+// where a piece is cut out of a surface triangles are missing, and what is put in their place is obtuse.
+struct FalseEarMeasures {
+  double angle;       // at which the edge is seen from the point behind it, radians
+  double log_tail;    // how rare corners as wide in triangles as large are on the surface behind the rims
+  double jaggedness;  // of the rim there
+};
+FalseEarMeasures measure_false_ear(const TriangleSet& set, const LocalSizes& sizes,
+                                   const CornerHistogram& corners, const Triangle& ear, double jaggedness);
+double false_ear_log_odds(const FalseEarMeasures& measures);
 
 // That a rim is a boundary of the surface and not the end of what could be triangulated: by its number of
 // points, the median over its edges of empty_ball_radius(), and the mean thickness of the frames along it.

@@ -41,7 +41,7 @@ std::vector<double> empty_balls(const std::vector<Index>& rim, const RimEvidence
     found.push_back(
         empty_ball_radius(e.samples.points, e.samples.neighbours, e.samples.spacing, a, b, inner));
   };
-  constexpr std::size_t in_task = 256, few = 4 * in_task;  // edges
+  constexpr std::size_t in_task = 256, few = 4 * in_task;  // edges [speed]
   std::vector<double> radii;
   if (rim.size() >= few) return parallel_gather<double>(rim.size(), Stage::Loops, run, look, in_task);
   for (std::size_t i = 0; i < rim.size(); ++i) look(i, radii);
@@ -50,17 +50,22 @@ std::vector<double> empty_balls(const std::vector<Index>& rim, const RimEvidence
 
 }  // namespace
 
-double rim_probability(const std::vector<Index>& rim, const RimEvidence& e, const Run& run) {
-  if (e.sampling.is_range_image) return range_image_loop_probability(rim.size());
+RimMeasures measure_rim(const std::vector<Index>& rim, const RimEvidence& e, const Run& run) {
   std::vector<double> radii = empty_balls(rim, e, run);
-  if (radii.empty()) return 0;
+  if (radii.empty()) return {};
   std::nth_element(radii.begin(), radii.begin() + radii.size() / 2, radii.end());
   const double thickness = mean_thickness(rim, e.samples.frames);
   // Under noise what lies beyond a small opening is too blurred to outweigh that its rim looks like a crease.
   const double bend = e.sampling.noise.noise > 0
                           ? no_gap(isoperimetric_ratio(rim, e.samples)) * thickness_of_opening(rim.size())
                           : 0;
-  return loop_probability(rim.size(), radii[radii.size() / 2], std::max(0.0, thickness - bend));
+  return {radii[radii.size() / 2], std::max(0.0, thickness - bend), true};
+}
+
+double rim_probability(const std::vector<Index>& rim, const RimEvidence& e, const Run& run) {
+  if (e.sampling.is_range_image) return range_image_loop_probability(rim.size());
+  const RimMeasures measures = measure_rim(rim, e, run);
+  return measures.is_known ? loop_probability(rim.size(), measures.empty_ball, measures.thickness) : 0;
 }
 
 double boundary_probability(const std::vector<Index>& rim, const RimEvidence& e, const Run& run) {

@@ -24,6 +24,14 @@ struct RimEvidence {
   const SamplingProfile& sampling;
 };
 
+// What tells a boundary from the end of what could be triangulated.
+struct RimMeasures {
+  double empty_ball = 0;  // median radius over its edges, in spacings; those at false ears do not count
+  double thickness = 0;   // mean of the frames along it, less what a small opening under noise bends
+  bool is_known = false;  // false where all edges are at false ears
+};
+RimMeasures measure_rim(const std::vector<Index>& rim, const RimEvidence& evidence, const Run& run);
+
 // That the rim is where the surface ends and not where the triangles happen to, at a crease or a thin wall:
 // by the number of its points, the empty balls beyond its edges and the thickness of the frames along it. In
 // [0, 1].

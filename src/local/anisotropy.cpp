@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.h"
+#include "base/model.h"
 #include "local/frame.h"
 
 namespace rimline {
@@ -33,8 +33,8 @@ Anisotropy around(const Anisotropy& a, const Anisotropy& b) {
 // v v^T / |v|^4, far ones left out, is long in the directions in which points lie close. Stretching by its
 // root evens that out; half of that a step does not overshoot.
 Anisotropy find_anisotropy(const std::vector<Offset>& offsets) {
-  constexpr int steps = 8;
-  constexpr double least = 0.15;  // squared: what is closer than that is chance
+  constexpr int steps = 8;  // [speed]
+  constexpr double least = model::anisotropy_core;
   Anisotropy anisotropy;
   for (int i = 0; i < steps; ++i) {
     const Anisotropy w = root(anisotropy);
@@ -45,7 +45,7 @@ Anisotropy find_anisotropy(const std::vector<Offset>& offsets) {
       sum = {sum.xx + weight * x * x, sum.xy + weight * x * y, sum.yy + weight * y * y};
     }
     const double size = determinant(sum);
-    if (!(size > 1e-12 * sum.xx * sum.yy)) break;  // on one line, or none
+    if (!(size > 1e-12 * sum.xx * sum.yy)) break;  // on one line, or none [guard]
     anisotropy = around(w, root(scaled(sum, 1 / std::sqrt(size))));
     anisotropy = scaled(anisotropy, 1 / std::sqrt(determinant(anisotropy)));
   }
@@ -56,32 +56,28 @@ double log_ratio(const Anisotropy& anisotropy) {
   return std::acosh(std::max(1.0, (anisotropy.xx + anisotropy.yy) / 2));  // half the sum of e^r and e^-r
 }
 
-double mean_anisotropy(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
-                       const Run& run) {
-  constexpr std::size_t most_asked = 256;
-  constexpr int count = 16;
-  constexpr double least = 1;
-  const std::size_t stride = 1 + (points.size() - 1) / most_asked;
-  std::vector<double> ratio((points.size() - 1) / stride + 1);
-  parallel_tasks(ratio.size(), Stage::Survey, run, [&](std::size_t i) {
-    const auto p = static_cast<Index>(stride * i);
-    const auto near = neighbours.of(p, std::min(count, neighbours.k));
-    const Frame frame = fit_frame(points, near, p);
-    std::vector<Offset> offsets;
-    const auto take = [&](Index from) {
-      for (const Index v : neighbours.of(from, std::min(count, neighbours.k))) {
-        const Point d = (1 / spacing[p]) * (points[v] - points[from]);
-        offsets.push_back({dot(d, frame.u), dot(d, frame.v)});
-      }
-    };
-    take(p);
-    for (const Index v : near) take(v);
-    ratio[i] = log_ratio(find_anisotropy(offsets));
-  });
+double anisotropy_at(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                     Index point) {
+  constexpr int count = model::more_neighbours;
+  const auto near = neighbours.of(point, std::min(count, neighbours.k));
+  const Frame frame = fit_frame(points, near, point);
+  std::vector<Offset> offsets;
+  const auto take = [&](Index from) {
+    for (const Index v : neighbours.of(from, std::min(count, neighbours.k))) {
+      const Point d = (1 / spacing[point]) * (points[v] - points[from]);
+      offsets.push_back({dot(d, frame.u), dot(d, frame.v)});
+    }
+  };
+  take(point);
+  for (const Index v : near) take(v);
+  return log_ratio(find_anisotropy(offsets));
+}
+
+double mean_anisotropy(const std::vector<double>& at_points) {
   double sum = 0;
-  for (const double r : ratio) sum += r;
-  const double mean = sum / static_cast<double>(ratio.size());
-  return mean >= least ? mean : 0;
+  for (const double r : at_points) sum += r;
+  const double mean = sum / static_cast<double>(at_points.size());
+  return mean >= model::anisotropy_least ? mean : 0;
 }
 
 }  // namespace rimline

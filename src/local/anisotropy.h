@@ -6,7 +6,6 @@
 
 #include "rimline/neighbours.h"
 #include "rimline/points.h"
-#include "rimline/run.h"
 
 namespace rimline {
 
@@ -27,10 +26,13 @@ Anisotropy find_anisotropy(const std::vector<Offset>& offsets);
 // directions; 0 where they lie about alike.
 double log_ratio(const Anisotropy& anisotropy);
 
-// The mean of that over the surface, from the neighbourhoods of about 256 points; 0 where it is no more than
-// chance or the strips of a mesh bring about. Random points have 0.7 at most, a scanned man's mesh 0.87, scan
-// lines 1.1 or more, noise of half a step and all.
-double mean_anisotropy(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
-                       const Run& run);
+// The same at a point, from its neighbours and theirs.
+double anisotropy_at(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                     Index point);
+
+// The mean of that at some points; 0 where it is no more than chance or the strips of a mesh bring about.
+// Random points have 0.7 at most, a scanned man's mesh 0.87, scan lines 1.1 or more, noise of half a step and
+// all.
+double mean_anisotropy(const std::vector<double>& at_points);
 
 }  // namespace rimline

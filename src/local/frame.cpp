@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/model.h"
 #include "base/multiversioning.h"
 #include "base/parallel.h"
 #include "base/prefault.h"
@@ -15,11 +16,11 @@ namespace rimline {
 namespace {
 
 // Middle over largest eigenvalue below which the neighbours are a line rather than a patch.
-constexpr double line = 0.1;
+constexpr double line = model::frame_line;
 
 // Of the points and the one they are the neighbours of: sums of squares.
 Covariance covariance(Points points, Index self, std::span<const Index> ids) {
-  constexpr std::size_t most = 40;
+  constexpr std::size_t most = 40;  // [layout]
   const Point p = points[self];
   std::array<Point, most> room;
   std::vector<Point> more;
@@ -85,7 +86,7 @@ PrincipalAxes axes_of(const Covariance& m) {
 // With more neighbours than the few that are nearly on a line.
 Frame fit_frame_to_more(Points points, const Neighbours& neighbours, Index point) {
   PrincipalAxes axes;
-  for (const int k : {20, 40}) {
+  for (const int k : {20, 40}) {  // [speed]
     axes = axes_of(covariance(points, point, neighbours.of(point, std::min(k, neighbours.k))));
     if (axes.lambda[1] >= line * axes.lambda[2] || k >= neighbours.k) break;
   }
@@ -99,7 +100,7 @@ Frame fit_frame(Points points, std::span<const Index> ids, Index point) {
 }
 
 std::vector<Frame> fit_frames(Points points, const Neighbours& neighbours, const Run& run) {
-  const int few = std::min(12, neighbours.k);
+  const int few = std::min(model::few_neighbours, neighbours.k);
   std::vector<Frame> frames;
   resize_together(frames, points.size(), run);
   parallel_slices(points.size(), Stage::Survey, run, [&](std::size_t begin, std::size_t end) {

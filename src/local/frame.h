@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/model.h"
 #include "rimline/neighbours.h"
 #include "rimline/points.h"
 #include "rimline/run.h"
@@ -18,7 +19,7 @@ struct Frame {
 };
 
 // Whether the neighbourhood is no patch: the surface folds there, or two sheets are close.
-inline bool is_folded(const Frame& frame) { return frame.thickness > 0.15; }
+inline bool is_folded(const Frame& frame) { return frame.thickness > model::frame_folded; }
 
 // Principal directions of the point and the given others.
 Frame fit_frame(Points points, std::span<const Index> others, Index point);

@@ -9,14 +9,17 @@
 
 namespace rimline {
 
-// Every so many points one is asked, up to about 4,096, which stand for all.
-constexpr std::size_t stride_over(std::size_t count) {
-  constexpr std::size_t most_asked = 4096;
-  return 1 + (count - 1) / most_asked;
-}
+// What the distances of a point to its neighbours tell.
+struct Distances {
+  double nearest = 0;   // to the nearest over the spacing
+  double crowding = 0;  // spacing over the distance to the twelfth; 0 where there is none
+  double reach = 0;     // logarithm of the distance to the twelfth over that to the fortieth, or the last
+};
+Distances measure_distances(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                            Index point);
 
 // Of the distances to the nearest neighbour over the spacing: standard deviation over mean.
-double variation_of_nearest(Points points, const Neighbours& neighbours, const std::vector<double>& spacing);
+double variation_of_nearest(const std::vector<Distances>& distances);
 
 // Whether the points are strewn at random (1) or keep apart from each other (0), as scans and meshes do. At
 // random the distance to the nearest neighbour varies by 0.4 of its mean over the spacing, and the six
@@ -24,6 +27,7 @@ double variation_of_nearest(Points points, const Neighbours& neighbours, const s
 // all. Noise makes the steps along scan lines vary as at random, but it moves no point far: on samples of
 // 1,000 points the distance of the twelfth over that of the fortieth varies by 0.88 and more of what is
 // expected at random where points are so, and by 0.74 at most on scan lines, noise of half a step and all.
-double irregularity(Points points, const Neighbours& neighbours, const std::vector<double>& spacing);
+// `k`: length of the lists of neighbours; 0 where they are too short to tell.
+double irregularity(const std::vector<Distances>& distances, int k);
 
 }  // namespace rimline

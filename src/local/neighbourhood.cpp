@@ -10,7 +10,7 @@ namespace rimline {
 namespace {
 
 // Below this share of the largest eigenvalue another is rounding.
-constexpr double least_share = 1e-13;
+constexpr double least_share = 1e-13;  // [guard]
 
 // Even and odd neighbours are summed apart. There is at least one pair, so that the loop over pairs is always
 // entered and the compiler can vectorize the loop over lanes.

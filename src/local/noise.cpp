@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/model.h"
 #include "base/parallel.h"
 #include "local/frame.h"
-#include "local/irregularity.h"
 #include "local/ramp.h"
 
 namespace rimline {
 namespace {
 
-constexpr int terms = 6;  // of a quadric z = a + b x + c y + d x^2 + e x y + f y^2
+constexpr int terms = 6;  // of a quadric z = a + b x + c y + d x^2 + e x y + f y^2 [layout]
 
 // The quadric over the tangent plane of a point that fits it and its neighbours best.
 struct Quadric {
@@ -42,7 +42,7 @@ Quadric fit_quadric(Points points, const Neighbours& neighbours, Index self, int
   };
   take({});
   for (const Index id : ids) take(points[id] - points[self]);
-  for (int i = 0; i < terms; ++i) squares(i, i) += 1e-9;  // scan lines may not tell a curvature
+  for (int i = 0; i < terms; ++i) squares(i, i) += 1e-9;  // scan lines may not tell a curvature [guard]
   const Row fit = squares.selfadjointView<Eigen::Lower>().ldlt().solve(right);
   quadric.height = fit[0];
   const double rest = std::max(0.0, heights - fit.dot(right));
@@ -59,32 +59,26 @@ double quantile(std::vector<double>& values, double share) {
 
 }  // namespace
 
-double noise_level(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
-                   const Run& run) {
-  constexpr int count = 12;
-  // Of normal noise: the roots of quantiles of the chi-square law over its freedom, 7.
-  constexpr double quartile = 0.8, twentieth = 0.556;
-  const std::size_t stride = stride_over(points.size());
-  std::vector<double> deviation((points.size() - 1) / stride + 1);
-  parallel_for_each(deviation.size(), Stage::Survey, run, [&](Index i) {
-    const auto p = static_cast<Index>(stride * static_cast<std::size_t>(i));
-    deviation[i] = fit_quadric(points, neighbours, p, count).deviation / spacing[p];
-  });
-  const double level = quantile(deviation, 0.25) / quartile;
+double quadric_deviation(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                         Index point) {
+  return fit_quadric(points, neighbours, point, model::noise_neighbours).deviation / spacing[point];
+}
+
+double noise_level(std::vector<double> deviations, double variation_of_nearest) {
+  constexpr double quarter = 0.25, twentieth = 0.05;  // [layout] shares
+  const double level = quantile(deviations, quarter) / model::noise_quartile;
   if (level == 0) return 0;
-  const double is_everywhere = ramp(quantile(deviation, 0.05) / twentieth / level, 0.8, 0.9);
-  const double is_close = ramp(variation_of_nearest(points, neighbours, spacing), 0.25, 0.28);
+  const double is_everywhere = ramp(quantile(deviations, twentieth) / model::noise_twentieth / level,
+                                    model::relief_ends, model::noise_everywhere);
+  const double is_close = ramp(variation_of_nearest, model::variation_even, model::variation_noisy);
   return level * std::max(is_everywhere, is_close);
 }
 
-double noise_weight(double level) {
-  constexpr double least = 0.07, full = 0.09;
-  return ramp(level, least, full);
-}
+double noise_weight(double level) { return ramp(level, model::noise_least, model::noise_full); }
 
 std::vector<Point> take_off_noise(Points points, const Neighbours& neighbours, double weight,
                                   const Run& run) {
-  constexpr int count = 24;
+  constexpr int count = model::denoise_neighbours;
   std::vector<Point> moved(points.begin(), points.end());
   parallel_for_each(points.size(), Stage::Survey, run, [&](Index i) {
     const Quadric quadric = fit_quadric(points, neighbours, i, count);

@@ -18,14 +18,19 @@ struct NoiseModel {
       false;  // whether points lie closer in one direction than in another, as along scan lines
 };
 
+// How far the neighbours of a point lie off the quadric through the 12 nearest: standard deviation over the
+// spacing.
+double quadric_deviation(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                         Index point);
+
 // The standard deviation of the points across the surface, over the spacing; above 0 even for exact points of
-// a curved surface. From the residuals of quadrics through the 12 nearest neighbours of up to about 4,096
-// points. Their lower quartile is asked: noise is everywhere, while creases and relief that the quadrics can
-// not follow are at some places only. On coarse points of a strongly curved surface these are most places, so
-// the lower twentieth must tell nearly the same noise as the quartile; less of it is relief, and the level
-// falls to 0, unless points lie as close together as noise, misregistered scans and chance have them.
-double noise_level(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
-                   const Run& run);
+// a curved surface. From the deviations at some points. Their lower quartile is asked: noise is everywhere,
+// while creases and relief that the quadrics can not follow are at some places only. On coarse points of a
+// strongly curved surface these are most places, so the lower twentieth must tell nearly the same noise as
+// the quartile; less of it is relief, and the level falls to 0, unless points lie as close together as noise,
+// misregistered scans and chance have them. `variation_of_nearest`: of the nearest distances over the
+// spacing, standard deviation over mean.
+double noise_level(std::vector<double> deviations, double variation_of_nearest);
 
 // How much of the noise is to be heeded, in [0, 1]: nothing of what the quadrics leave on clean scans.
 double noise_weight(double level);

@@ -22,7 +22,7 @@ inline double larger(double a, double b) { return a < b ? b : a; }
 // The largest root of x^3 - 3 x - 2 r for r in [0, 1]. It lies in [sqrt(3), 2], where the cubic is convex and
 // steep; the start is never below it, so Newton's steps fall to it without leaving. Four of them are enough.
 inline double largest_root(double r) {
-  const double start = 1.7320508075688774 + r / 3;
+  const double start = 1.7320508075688774 + r / 3;  // [layout] root of 3
   double x = start < 2 ? start : 2;
   for (int step = 0; step < 4; ++step) x -= (x * (x * x - 3) - 2 * r) / (3 * (x * x - 1));
   return x;
@@ -69,8 +69,9 @@ inline void plane_axes(const Covariance& m, Point& p, Point& q, double& large, d
   // (m - mean) / scale has trace 0 and eigenvalues in [-2, 2]; r is half its determinant.
   const double mean = (m.xx + m.yy + m.zz) / 3;
   const double x = m.xx - mean, y = m.yy - mean, z = m.zz - mean;
-  const double scale = std::sqrt((x * x + y * y + z * z + 2 * (m.xy * m.xy + m.xz * m.xz + m.yz * m.yz)) / 6);
-  const bool differ = scale > 1e-15 * std::abs(mean);  // the eigenvalues
+  const double scale =
+      std::sqrt((x * x + y * y + z * z + 2 * (m.xy * m.xy + m.xz * m.xz + m.yz * m.yz)) / 6);  // [layout]
+  const bool differ = scale > 1e-15 * std::abs(mean);  // the eigenvalues [guard]
   const double determinant =
       x * (y * z - m.yz * m.yz) - m.xy * (m.xy * z - m.yz * m.xz) + m.xz * (m.xy * m.yz - y * m.xz);
   const double ratio = 0.5 * determinant / (scale * scale * scale);

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <utility>
 
+#include "base/model.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "base/vec.h"
@@ -22,7 +23,7 @@ namespace {
 double tie_weight(Point p, double spacing) {
   std::uint64_t bits = Random(std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y)).next();
   bits = Random(bits, std::bit_cast<std::uint64_t>(p.z)).next();
-  return 1e-7 * spacing * spacing * static_cast<double>(bits >> 11) * 0x1p-53;
+  return 1e-7 * spacing * spacing * static_cast<double>(bits >> 11) * 0x1p-53;  // [layout] bits of a number
 }
 
 // The Voronoi cell of one point after another. Corners are relative to the point, each with the neighbour
@@ -65,7 +66,7 @@ class Cell {
   }
 
  private:
-  static constexpr std::size_t few = 16;  // corners of nearly all cells
+  static constexpr std::size_t few = 16;  // corners of nearly all cells [speed]
 
   struct Corners {
     std::vector<double> x, y;
@@ -180,7 +181,7 @@ class Cell {
 
 // The bisectors of a point and a few others, in its tangent plane: those (x, y) with a x + b y = c.
 struct Bisectors {
-  static constexpr std::size_t most = 8;
+  static constexpr std::size_t most = 8;  // [speed] lanes
   std::array<double, most> a, b, c;
   std::array<double, most> squared;  // distance of the other point
   std::array<double, most> steep;    // not negative where it is on another sheet
@@ -198,7 +199,7 @@ class StarFinder {
   // Cuts the cell of a point with its neighbours. Returns whether one of them was too far to reach the cell:
   // then all that are farther are, too.
   bool cut_by_own(Cell& cell, Index self) const {
-    constexpr double half_width = 20;  // spacings: far beyond any triangle that can be kept
+    constexpr double half_width = 20;  // spacings: far beyond any triangle that can be kept [guard]
     cell.reset(half_width * spacing_[self]);
     return cut_by(cell, self, neighbours_.of(self));
   }
@@ -220,7 +221,7 @@ class StarFinder {
  private:
   // Several at once, for the roots and quotients of one wait for those of no other.
   Bisectors bisectors_of(Index self, std::span<const Index> others) const {
-    constexpr double steepest = 0.75;  // squared sine of 60 degrees: steeper is another sheet
+    constexpr double steepest = model::star_steepest;
     const Frame& frame = frames_[self];
     const Point p = points_[self];
     std::array<double, Bisectors::most> x, y, z, weight;
@@ -278,7 +279,7 @@ struct Row {
       open;  // the points whose lists end within reach of their cells; their stars are left out
 };
 
-constexpr std::size_t points_in_row = 4096;
+constexpr std::size_t points_in_row = 4096;  // [speed]
 
 void append_star(const Cell& cell, std::vector<Index>& ids) {
   ids.insert(ids.end(), cell.sides().begin(), cell.sides().end());

@@ -79,7 +79,7 @@ class VoronoiCell {
   }
 
  private:
-  static constexpr int capacity = 64;  // corners: more than a cell of 40 neighbours can have
+  static constexpr int capacity = 64;  // corners: more than a cell of 40 neighbours can have [layout]
   struct Corner {
     double x, y;                // where the edge begins
     double across_x, across_y;  // the neighbour beyond that edge

@@ -36,12 +36,13 @@ Point least_direction(const Covariance& c) {
   const double mean = (c.xx + c.yy + c.zz) / 3;
   const double off = c.xy * c.xy + c.xz * c.xz + c.yz * c.yz;
   const double dx = c.xx - mean, dy = c.yy - mean, dz = c.zz - mean;
-  const double p = std::sqrt((dx * dx + dy * dy + dz * dz + 2 * off) / 6);
+  const double p = std::sqrt((dx * dx + dy * dy + dz * dz + 2 * off) / 6);  // [layout]
   if (!(p > 0)) return {0, 0, 1};
   const double determinant =
       dx * (dy * dz - c.yz * c.yz) - c.xy * (c.xy * dz - c.yz * c.xz) + c.xz * (c.xy * c.yz - dy * c.xz);
   const double r = std::clamp(determinant / (2 * p * p * p), -1.0, 1.0);
-  const double least = mean + 2 * p * std::cos(std::acos(r) / 3 + 2.0943951023931953);
+  const double least =
+      mean + 2 * p * std::cos(std::acos(r) / 3 + 2.0943951023931953);  // [layout] a third of a turn
   const Point a{c.xx - least, c.xy, c.xz}, b{c.xy, c.yy - least, c.yz}, d{c.xz, c.yz, c.zz - least};
   const std::array<Point, 3> candidates{cross(a, b), cross(a, d), cross(b, d)};
   const Point* best = &candidates[0];
@@ -56,7 +57,8 @@ struct Frame {
 };
 
 Frame make_frame(Point normal) {
-  const Point axis = std::abs(normal.x) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0};
+  const Point axis =
+      std::abs(normal.x) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0};  // [guard] any axis not along it
   const Point u = normalized(cross(normal, axis));
   return {normal, u, cross(normal, u)};
 }
@@ -107,7 +109,7 @@ class StarFinder {
 
 Stars find_stars(Points points, const Neighbours& neighbours, std::span<const Index> label,
                  const StarOptions& options, const Run& run) {
-  constexpr std::size_t slice = 1024;
+  constexpr std::size_t slice = 1024;  // [speed]
   struct Part {
     std::vector<Index> neighbours, counts;
     std::vector<double> weights;

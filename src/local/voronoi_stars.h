@@ -10,7 +10,7 @@
 namespace rimline {
 
 struct StarOptions {
-  int normal_k = 10;      // neighbours that tell the tangent plane, before those off it are left out
+  int normal_k = 10;      // neighbours that tell the tangent plane, before those off it are left out [option]
   double steepest = 0.5;  // least length of a neighbour's projection, over its distance: points behind
                           // the tangent plane lie on another sheet
 };

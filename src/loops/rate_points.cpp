@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/model.h"
 #include "base/vec.h"
 #include "evidence/cut_plane.h"
 #include "evidence/jaggedness.h"
@@ -12,8 +13,6 @@
 
 namespace rimline {
 namespace {
-
-constexpr double deepest_at_cut = 1;  // spacings behind the outermost points of a rim cut by a plane
 
 // That a point is on the boundary, as one place of a rim says.
 struct Rating {
@@ -31,19 +30,20 @@ std::vector<float> raised(std::vector<float> probability, const std::vector<Rati
 // out.
 std::vector<Rating> rate_rim(const Loop& rim, const RimEvidence& e, const LocalSizes& sizes,
                              const BoundaryScores& scores) {
-  const FitnessModel model;
-  const auto rate = [&](Index id, bool on_rim, const std::array<Index, 5>& run) {
+  constexpr model::FitnessModel weights;
+  const auto rate = [&](Index id, bool on_rim, const std::array<Index, 5>& run) {  // [layout]
     const double chi_square = scores.log_score[id];
     if (e.sampling.is_range_image)
       return Rating{id, range_image_point_probability(on_rim, chi_square, rim.probability)};
-    const double odds = ear_log_odds(e.set, sizes, model, run);
+    const double odds = ear_log_odds(e.set, sizes, weights, run);
     return Rating{id, point_probability(odds, on_rim, chi_square, rim.probability)};
   };
   const auto& ids = rim.points;
   const std::size_t n = ids.size();
   std::vector<Rating> ratings;
   for (std::size_t i = 0; i < n; ++i) {
-    const std::array<Index, 5> run{ids[(i + n - 2) % n], ids[(i + n - 1) % n], ids[i], ids[(i + 1) % n],
+    const std::array<Index, 5> run{ids[(i + n - 2) % n], ids[(i + n - 1) % n], ids[i],  // [layout]
+                                   ids[(i + 1) % n],                                    // [layout]
                                    ids[(i + 2) % n]};
     ratings.push_back(rate(ids[i], true, run));
     const Index inner = e.set.apex(selected_triangle(e.set, e.selection, run[2], run[3]), run[2], run[3]);
@@ -63,7 +63,8 @@ std::vector<Rating> rate_behind_jagged(const Loop& rim, const RimEvidence& e, co
     ratings.push_back({ids[i], on_jagged_rim(jagged[i], rim.probability)});
     const Index a = ids[i], b = ids[next_in(i, ids.size())];
     const Index behind = e.set.apex(selected_triangle(e.set, e.selection, a, b), a, b);
-    const double odds = false_ear_log_odds(e.set, sizes, corners, {a, behind, b}, jagged[i]);
+    const double odds =
+        false_ear_log_odds(measure_false_ear(e.set, sizes, corners, {a, behind, b}, jagged[i]));
     ratings.push_back({behind, jagged_point_probability(odds, jagged[i], rim.probability)});
     for (const Index t : e.set.star(a)) {
       if (!e.selection[t]) continue;
@@ -102,7 +103,7 @@ std::vector<float> raise_at_cuts(std::vector<float> probability, const std::vect
       const double p = at_cut_probability(jagged[i], loop.probability);
       for (const Index v : s.neighbours.of(loop.points[i])) {
         if (probability[v] >= p) continue;
-        if (plane->depth(s.points, s.neighbours, s.spacing, s.frames, v) < deepest_at_cut)
+        if (plane->depth(s.points, s.neighbours, s.spacing, s.frames, v) < model::cut_depth)
           ratings.push_back({v, p});
       }
     }
@@ -115,7 +116,8 @@ std::vector<Loop> with_fitness(std::vector<Loop> loops, const std::vector<float>
                                double length_exponent) {
   for (Loop& loop : loops) {
     double sum = 0;
-    for (const Index id : loop.points) sum -= std::log1p(-std::min(0.999999, double{probability[id]}));
+    for (const Index id : loop.points)
+      sum -= std::log1p(-std::min(0.999999, double{probability[id]}));  // [guard]
     loop.fitness = sum / std::pow(static_cast<double>(loop.points.size()), length_exponent);
   }
   return loops;

@@ -5,17 +5,18 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/model.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 
 namespace rimline {
 namespace {
 
-constexpr double far_from_usual = 0.35;  // log_ratio beyond the spread that lets a hole start inside
+constexpr double far_from_usual = model::candidate_inside;
 
 // log_ratio beyond the spread of a triangle that closes an opening, whatever the gaps beside it are: a chord
 // over a small hole leaves gaps that look like those at creases, since its other rim lies beyond them.
-constexpr double plainly_too_large = 0.8;
+constexpr double plainly_too_large = model::candidate_plain;
 
 // Whether a triangle is out of doubt for the gaps at its corners.
 class Spared {
@@ -108,7 +109,7 @@ std::vector<Index> candidate_triangles(const TriangleSet& set, const LocalSizes&
                                        const std::vector<std::uint8_t>& excluded, double doubtful,
                                        const Run& run) {
   const Spared is_spared(excluded, sizes);
-  constexpr int deepest = 12;  // triangles from the rim
+  constexpr int deepest = model::candidate_deepest;
   std::vector<Index> all = first_candidates(set, sizes, is_spared, doubtful, run);
   std::vector<std::uint8_t> seen(set.size(), 0);
   for (const Index t : all) seen[t] = 1;
@@ -133,7 +134,7 @@ Candidates find_candidates(const TriangleSet& set, const LocalSizes& sizes,
                            const std::vector<std::uint8_t>& excluded, const SearchOptions& options,
                            const Run& run) {
   Candidates candidates;
-  const FitnessModel& w = options.weights;
+  const model::FitnessModel& w = options.weights;
   candidates.triangles = candidate_triangles(set, sizes, excluded, options.doubtful, run);
   candidates.vertices = vertices_of(set, candidates.triangles, run);
   sizes.find(candidates.vertices, run);
@@ -150,7 +151,7 @@ Candidates find_candidates(const TriangleSet& set, const LocalSizes& sizes,
     double largest = 0;
     for (const Index v : x) largest = std::max(largest, sizes.own(v));
     candidates.log_ratio[i] = sizes.log_ratio(x);
-    const double own = std::clamp(std::log(set.radius(t) / largest), -1.0, 3.0);
+    const double own = std::clamp(std::log(set.radius(t) / largest), model::own_least, model::own_most);
     candidates.spread[i] = sizes.spread(x);
     candidates.gain[i] = w.open + w.size * candidates.log_ratio[i] + w.own * own;
     for (int k = 0; k < 3; ++k) {

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/model.h"
 #include "base/vec.h"
 #include "evidence/jaggedness.h"
 #include "evidence/probability.h"
@@ -36,7 +37,8 @@ std::vector<Ear> find_false_ears(const TriangleSet& set, const Selection& select
       const Index t = selected_triangle(set, selection, a, b);
       const Index behind = set.apex(t, a, b);
       if (on_rim[behind]) continue;
-      const double odds = false_ear_log_odds(set, sizes, corners, {a, behind, b}, jagged[i]);
+      const double odds =
+          false_ear_log_odds(measure_false_ear(set, sizes, corners, {a, behind, b}, jagged[i]));
       if (odds > 0) ears.push_back({odds, t, behind});
     }
   }
@@ -70,14 +72,13 @@ WithoutFalseEars remove_false_ears(const SelectedSurface& surface, const LocalSi
   Rims rims = boundary_rims();
   result.corners = CornerHistogram(surface.set, sizes, samples.neighbours, rims, result.selection);
   // The rim shows how jagged it is only when the first ears are gone, and what is behind them.
-  constexpr int layers = 2;
   for (int layer = 1;; ++layer) {
     const std::vector<Ear> ears = find_false_ears(surface.set, result.selection, sizes, result.corners, rims);
     for (const Ear& ear : ears) {
       result.selection[ear.triangle] = 0;
       result.behind[ear.behind] = 1;
     }
-    if (ears.empty() || layer == layers) return result;
+    if (ears.empty() || layer == model::false_ear_layers) return result;
     rims = boundary_rims();
   }
 }

@@ -6,13 +6,14 @@
 #include <numbers>
 #include <optional>
 
+#include "base/model.h"
 #include "base/parallel.h"
 
 namespace rimline {
 
 FanCorners::FanCorners(const TriangleSet& set, std::span<const Index> vertices, const Run& run)
     : first_fan_{0} {
-  constexpr std::size_t in_part = 1024;  // vertices
+  constexpr std::size_t in_part = 1024;  // vertices [speed]
   std::vector<std::optional<FanCorners>> parts((vertices.size() + in_part - 1) / in_part);
   parallel_tasks(parts.size(), Stage::Loops, run, [&](std::size_t k) {
     const std::size_t first = k * in_part;
@@ -82,7 +83,7 @@ void FanCorners::add_fan(const TriangleSet& set, Index vertex, Index t, Index fr
   fans_.push_back(fan);
 }
 
-double FanCorners::cost(std::size_t slot, const Selection& selected, const FitnessModel& w) const {
+double FanCorners::cost(std::size_t slot, const Selection& selected, const model::FitnessModel& w) const {
   const Turns t = turns(slot, selected);
   return w.slight * t.slight + w.moderate * t.moderate + w.sharp * t.sharp + w.pinch * t.pinches +
          w.isolated * t.isolated;
@@ -125,8 +126,8 @@ FanCorners::Turns FanCorners::turns(std::size_t slot, const Selection& selected)
       double between = std::abs(static_cast<double>(from - corner.to));
       if (between > std::numbers::pi) between = std::abs(between - 2 * std::numbers::pi);
       const double turning = std::numbers::pi - between;
-      sum.slight += std::min(turning, 0.3);
-      sum.moderate += std::min(turning, 0.7);
+      sum.slight += std::min(turning, model::turn_slight);
+      sum.moderate += std::min(turning, model::turn_moderate);
       sum.sharp += turning;
     }
   }

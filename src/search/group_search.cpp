@@ -5,11 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/model.h"
+
 namespace rimline {
 namespace {
 
-constexpr double least_gain_of_flip = 1e-9;
-constexpr std::uint32_t most_in_table = 8;  // bits of a vertex whose costs are remembered
+constexpr double least_gain_of_flip = 1e-9;  // [guard]
+constexpr std::uint32_t most_in_table = 8;   // bits of a vertex whose costs are remembered [speed]
 
 }  // namespace
 
@@ -194,7 +196,7 @@ void GroupSearch::load_by_size(double threshold) {
 // Flips bit after bit until none pays.
 void GroupSearch::climb() {
   double gain = 0, before = -1;
-  for (int sweep = 0; sweep < 20 && gain > before; ++sweep) {
+  for (int sweep = 0; sweep < 20 && gain > before; ++sweep) {  // [guard]
     before = gain;
     for (std::uint32_t i = 0; i < count(); ++i) gain += try_flip({&i, 1});
   }
@@ -205,7 +207,9 @@ void GroupSearch::first_population(std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) {
     // From all selected, over ever smaller sizes.
     const auto steps = static_cast<double>(std::max<std::size_t>(3, size) - 2);
-    const double threshold = i == 0 ? 10 : 1.6 - 1.5 * static_cast<double>(i - 1) / steps;
+    const double threshold =
+        i == 0 ? model::population_all
+               : model::population_first - model::population_range * static_cast<double>(i - 1) / steps;
     load_by_size(threshold);
     if (i > 0 && is_now(start_)) {
       members_[i] = members_[i - 1];
@@ -228,7 +232,8 @@ void GroupSearch::breed() {
       const auto start = static_cast<std::uint32_t>(random_.below(bits_.size()));
       const auto differs = [&](std::uint32_t i) { return donor.genes[i] != now_[i]; };
       if (!differs(start)) continue;
-      member.fitness += try_flip(region(start, std::size_t{2} << random_.below(7), differs));
+      member.fitness +=
+          try_flip(region(start, std::size_t{2} << random_.below(7), differs));  // [speed] up to 128 at once
     }
     const std::size_t mutations = 2 + bits_.size() / 4;
     for (std::size_t m = 0; m < mutations; ++m) {
@@ -245,7 +250,7 @@ GroupResult GroupSearch::search(const CandidateGroup& group, const Random& rando
   start(group);
   random_ = random;
   GroupResult result;
-  load_by_size(0.8);
+  load_by_size(model::greedy_size);
   result.greedy = fitness();
   if (options_.generations == 0) return result;
   first_population(std::min<std::size_t>(options_.population, 2 + 2 * bits_.size()));
@@ -262,7 +267,7 @@ GroupResult GroupSearch::search(const CandidateGroup& group, const Random& rando
     result.history_best.push_back(best);
     result.history_mean.push_back(mean);
     if (!goes_on) break;
-    stale = mean > best - 1e-9 ? stale + 1 : 0;
+    stale = mean > best - 1e-9 ? stale + 1 : 0;  // [guard]
   }
   const auto winner = std::max_element(members_.begin(), members_.end(), better);
   load(winner->genes);
@@ -281,7 +286,7 @@ double GroupSearch::close_doubtful_holes() {
     const Hole hole = hole_at(i, seen);
     if (hole.outside) continue;
     const double gain = flip(hole.bits);
-    if (hole.largest >= std::log(2.0) && -gain >= least_gain(hole)) {
+    if (hole.largest >= std::log(model::hole_least_size) && -gain >= least_gain(hole)) {
       for (const std::uint32_t bit : hole.bits) turn(bit);
     } else {
       change += gain;
@@ -314,7 +319,7 @@ GroupSearch::Hole GroupSearch::hole_at(std::uint32_t start, std::vector<std::uin
 // What a hole must bring. Where sizes spread, chance tears holes, and more is asked; but not of one whose
 // empty disc chance does not bring about, and hardly anything of one that is out of all proportion there.
 double GroupSearch::least_gain(const Hole& hole) const {
-  const FitnessModel& w = options_.weights;
+  const model::FitnessModel& w = options_.weights;
   if (is_far_beyond_spread(hole)) return w.hole_prior_beyond_spread;
   const double by_spread = is_chance(hole.largest) ? w.hole_prior_spread * hole.spread : 0;
   return w.hole_prior + by_spread + w.hole_prior_points * log_points_;
@@ -323,19 +328,19 @@ double GroupSearch::least_gain(const Hole& hole) const {
 // Whether sizes that spread as around the hole have none so large among 2 n: their logarithms are taken for
 // normal numbers, whose tail falls as exp(-z^2 / 2).
 bool GroupSearch::is_far_beyond_spread(const Hole& hole) const {
-  constexpr double to_deviation = 0.75;  // from the range between quartiles over the typical size
-  constexpr double usual = 0.1;          // log_ratio: typical is above the median
-  constexpr double margin = 4;           // e^-4 of them are expected
+  constexpr double to_deviation = model::spread_to_deviation;
+  constexpr double usual = model::spread_usual;
+  constexpr double margin = 4;  // e^-4 of them are expected
   const double z = (hole.largest - usual) / (to_deviation * hole.spread);
-  return z * z / 2 - std::log(2000.0) - log_points_ >= margin;
+  return z * z / 2 - std::log(2 * model::prior_points) - log_points_ >= margin;
 }
 
 // Whether a triangle so large may be found among the 2 n of n random points. Of random points the area of
 // the circumcircle times the density has the law of Gamma(2), whose value 5/8 up is 2.15.
 bool GroupSearch::is_chance(double log_ratio) const {
-  constexpr double typical = 2.15, margin = 8;  // e^-8: the density is not known well
+  constexpr double typical = model::chance_typical, margin = model::chance_margin;
   const double area = typical * std::exp(2 * log_ratio);
-  return area - std::log1p(area) - std::log(2000.0) - log_points_ < margin;
+  return area - std::log1p(area) - std::log(2 * model::prior_points) - log_points_ < margin;
 }
 
 }  // namespace rimline

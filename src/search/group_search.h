@@ -23,13 +23,13 @@ class Marks {
  public:
   // For numbers below the count.
   void start(std::size_t count) {
-    words_.assign((count + 63) / 64, 0);
+    words_.assign((count + 63) / 64, 0);  // [layout]
     begin_ = words_.size();
     end_ = 0;
   }
   void add(std::uint32_t i) {
-    const std::size_t word = i / 64;
-    words_[word] |= std::uint64_t{1} << i % 64;
+    const std::size_t word = i / 64;             // [layout]
+    words_[word] |= std::uint64_t{1} << i % 64;  // [layout]
     begin_ = std::min(begin_, word);
     end_ = std::max(end_, word + 1);
   }
@@ -37,7 +37,8 @@ class Marks {
   void each(const Body& body) const {
     for (std::size_t w = begin_; w < end_; ++w) {
       for (std::uint64_t left = words_[w]; left != 0; left &= left - 1)
-        body(static_cast<std::uint32_t>(64 * w) + static_cast<std::uint32_t>(std::countr_zero(left)));
+        body(static_cast<std::uint32_t>(64 * w) +                  // [layout]
+             static_cast<std::uint32_t>(std::countr_zero(left)));  // [layout]
     }
   }
   void clear() {

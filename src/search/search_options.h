@@ -2,15 +2,17 @@
 // What the genetic search is given.
 #pragma once
 
+#include "base/model.h"
 #include "search/fitness.h"
 
 namespace rimline {
 
 struct SearchOptions {
-  int population = 12;    // chromosomes per group of doubtful triangles
-  int generations = 30;   // most of them; a group stops where all agree. 0 leaves the greedy choice
-  double doubtful = 0.1;  // least log_ratio of a triangle that is doubtful where the rim reaches it
-  FitnessModel weights;
+  int population = 12;   // chromosomes per group of doubtful triangles [option]
+  int generations = 30;  // most of them; a group stops where all agree. 0 leaves the greedy choice [option]
+  double doubtful =
+      model::candidate_least;  // least log_ratio of a triangle that is doubtful where the rim reaches it
+  model::FitnessModel weights;
 };
 
 }  // namespace rimline

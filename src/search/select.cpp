@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/model.h"
 #include "base/parallel.h"
 #include "evidence/jaggedness.h"
 #include "evidence/rim_probability.h"
@@ -15,16 +16,13 @@
 namespace rimline {
 namespace {
 
-constexpr std::size_t least_gap = 6;  // points of a gap that is told from a boundary; smaller ones say little
-constexpr double largest_refilled = 1.0;  // spacings; circumradius of missing ears
-
 SearchOptions options_for(const SamplingProfile& sampling, const BoundaryLoopOptions& options) {
   SearchOptions o;
   o.population = options.rim_population;
   o.generations = options.rim_generations;
   if (sampling.noise.noise == 0) return o;
   // Noise spreads the sizes of triangles, but opens no holes as chance does among random points.
-  constexpr double by_noise = 1;
+  constexpr double by_noise = model::FitnessModel{}.hole_prior_noise;
   const auto blend = [&](double cost) { return by_noise + (cost - by_noise) * sampling.noise.irregular; };
   o.weights.hole_prior = blend(o.weights.hole_prior);
   o.weights.hole_prior_spread = blend(o.weights.hole_prior_spread);
@@ -39,7 +37,7 @@ std::vector<std::uint8_t> find_excluded(const TriangleSet& set, const Samples& s
   const RimEvidence evidence{set, all, {}, samples, sampling};
   std::vector<std::uint8_t> excluded(samples.points.size(), 0);
   for (const auto& rim : walk_rims(set, all, run)) {
-    if (rim.size() < least_gap || rim_probability(rim, evidence, run) >= 0.5) continue;
+    if (rim.size() < model::gap_least || rim_probability(rim, evidence, run) >= model::gap_most) continue;
     for (const Index v : rim) excluded[v] = 1;
   }
   return excluded;
@@ -109,7 +107,7 @@ SelectedSurface select(TriangleSet set, const Samples& samples, const SamplingPr
   std::vector<std::uint8_t> changed = points_of_others(set, first.selection, run);
   set.keep_only(first.selection, run);
   const Index before = set.size();
-  set = with_missing_ears(std::move(set), samples.spacing, largest_refilled, run);
+  set = with_missing_ears(std::move(set), samples.spacing, model::refilled_largest, run);
   for (Index t = before; t < set.size(); ++t) {
     for (const Index v : set.triangle(t)) changed[v] = 1;
   }

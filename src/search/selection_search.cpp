@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/model.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "search/group_search.h"
@@ -63,9 +64,9 @@ SearchResult SelectionSearch::search(const Candidates& candidates, Selection sel
   result.groups = groups_.all.size();
   result.history_best.assign(options_.generations, 0);
   result.history_mean.assign(options_.generations, 0);
-  const double log_points = std::max(0.0, std::log(set_.vertices() / 1000.0));
+  const double log_points = std::max(0.0, std::log(set_.vertices() / model::prior_points));
   // Groups share no vertex: none reads a byte of `selected` that another writes.
-  constexpr std::size_t in_task = 16;
+  constexpr std::size_t in_task = 16;  // [speed]
   std::vector<std::optional<GroupResult>> found(groups_.all.size());
   const auto search_slice = [&](std::size_t begin, std::size_t end) {
     GroupSearch search(candidates, groups_, corners_, options_, result.selected, log_points);

@@ -14,7 +14,7 @@
 namespace rimline {
 namespace {
 
-constexpr std::size_t block_size = 8192;  // triangles that one task walks
+constexpr std::size_t block_size = 8192;  // triangles that one task walks [speed]
 
 // The part of a component that lies in one block of triangles, or a piece of it.
 struct Piece {
@@ -241,7 +241,7 @@ std::vector<Index> walk_component(const TriangleSet& set, const Selection& selec
 
 bool faces_up(Point normal, double area) {
   for (const double c : {normal.z, normal.y, normal.x}) {
-    if (std::abs(c) > 1e-3 * area) return c > 0;
+    if (std::abs(c) > 1e-3 * area) return c > 0;  // [guard] nearly 0 is no direction
   }
   return true;
 }

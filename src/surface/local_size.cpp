@@ -56,9 +56,9 @@ void LocalSizes::find_limits(double margin, const Run& run) const {
 // The logarithm of a mean is at least the mean of logarithms, so a triangle whose radius is at most the
 // geometric mean of typical * exp(margin + spread) at its corners is no larger than that.
 void LocalSizes::bound(Index begin, Index end) const {
-  constexpr double sixth = 1.0 / 6, most = 1e30;  // whose inverse is no tiny number yet
+  constexpr double sixth = 1.0 / 6, most = 1e30;  // whose inverse is no tiny number yet [layout]
   const StarLevels& levels = *levels_;
-  std::array<StarLevels::Around, 256> found;
+  std::array<StarLevels::Around, 256> found;  // [speed]
   while (begin < end) {
     const auto here = std::span(found).first(std::min<std::size_t>(found.size(), end - begin));
     levels.look(neighbours_, std::min(around, neighbours_.k), begin, here);
@@ -73,7 +73,7 @@ void LocalSizes::bound(Index begin, Index end) const {
 
 bool LocalSizes::may_exceed(Index triangle) const {
   const auto& [a, b, c] = set_.triangle(triangle);
-  constexpr double rounding = 1e-6;
+  constexpr double rounding = 1e-6;  // [guard]
   const double radius = set_.radius(triangle);
   return (radius * inverse_limit_[a]) * (radius * inverse_limit_[b]) * (radius * inverse_limit_[c]) >
          1 - rounding;
@@ -103,7 +103,7 @@ double LocalSizes::log_ratio(const Triangle& triangle) const {
 
 double LocalSizes::own(Index vertex) const {
   const auto star = set_.star(vertex);
-  std::array<double, 16> few;
+  std::array<double, 16> few;  // [speed]
   std::vector<double> many(star.size() > few.size() ? star.size() : 0);
   const std::span<double> radii = many.empty() ? std::span(few).first(star.size()) : std::span(many);
   std::ranges::transform(star, radii.begin(), [&](Index t) { return set_.radius(t); });

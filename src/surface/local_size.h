@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/model.h"
 #include "base/prefault.h"
 #include "rimline/neighbours.h"
 #include "rimline/run.h"
@@ -53,7 +54,7 @@ class LocalSizes {
   double spread(const Triangle& triangle) const;
 
  private:
-  static constexpr int around = 16;  // nearest neighbours whose triangles count
+  static constexpr int around = model::more_neighbours;  // nearest, whose triangles count
 
   LocalSize measure(Index vertex, std::vector<double>& radii) const;
   void bound(Index begin, Index end) const;

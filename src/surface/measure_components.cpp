@@ -5,12 +5,11 @@
 #include <atomic>
 #include <utility>
 
+#include "base/model.h"
 #include "base/parallel.h"
 
 namespace rimline {
 namespace {
-
-constexpr std::size_t least_triangles = 10;  // of a surface; smaller scraps are none
 
 // Adds to a sum that others add to, too: whole numbers give the same sum in any order.
 void add(std::size_t& sum, std::size_t count) {
@@ -79,7 +78,7 @@ std::vector<std::size_t> count_points(const TriangleSet& set, const Components& 
 
 }  // namespace
 
-bool is_surface(const SurfaceComponent& component) { return component.triangles >= least_triangles; }
+bool is_surface(const SurfaceComponent& component) { return component.triangles >= model::surface_least; }
 
 std::vector<SurfaceComponent> measure_components(const TriangleSet& set, const Selection& selection,
                                                  const Components& components, const Run& run) {

@@ -12,8 +12,8 @@ namespace {
 
 // Buckets of values in the order of their bits, which for numbers that are not negative is their own order:
 // sixteen an octave, four octaves about a value in the middle of things; what lies beyond goes to the ends.
-constexpr int buckets = 64;
-constexpr int shift = 48;
+constexpr int buckets = 64;  // [speed]
+constexpr int shift = 48;    // [layout]
 
 class Buckets {
  public:
@@ -39,22 +39,23 @@ void insertion_sort(double* first, std::size_t count) {
   }
 }
 
-constexpr std::size_t most = 256;  // values that are looked at in buckets
+constexpr std::size_t most = 256;  // values that are looked at in buckets [speed]
 
 // Copies the values of one bucket. Eight values are asked at a time: for each byte of a word that is zero the
 // highest bit of the byte is set.
 std::size_t take_bucket(std::span<const double> values, const std::array<std::uint8_t, most>& bucket,
                         std::size_t wanted, std::array<double, most>& inside) {
-  constexpr std::uint64_t low = 0x7f7f7f7f7f7f7f7f, ones = 0x0101010101010101;
+  constexpr std::uint64_t low = 0x7f7f7f7f7f7f7f7f, ones = 0x0101010101010101;  // [layout]
   std::size_t found = 0;
-  for (std::size_t first = 0; first < values.size(); first += 8) {
+  for (std::size_t first = 0; first < values.size(); first += 8) {  // [layout]
     std::uint64_t word;
-    std::memcpy(&word, bucket.data() + first, 8);
+    std::memcpy(&word, bucket.data() + first, 8);  // [layout]
     word ^= wanted * ones;
     std::uint64_t zeros = ~(((word & low) + low) | word | low);
     for (; zeros != 0; zeros &= zeros - 1) {
-      const std::size_t bit = static_cast<std::size_t>(std::countr_zero(zeros)) / 8;
-      inside[found++] = values[first + (std::endian::native == std::endian::little ? bit : 7 - bit)];
+      const std::size_t bit = static_cast<std::size_t>(std::countr_zero(zeros)) / 8;  // [layout]
+      inside[found++] =
+          values[first + (std::endian::native == std::endian::little ? bit : 7 - bit)];  // [layout]
     }
   }
   return found;
@@ -75,7 +76,7 @@ std::array<double, 3> at_ranks(std::span<const double> values, const std::array<
     bucket[i] = static_cast<std::uint8_t>(by.of(values[i]));
     ++count[bucket[i]];
   }
-  for (std::size_t i = values.size(); i % 8 != 0; ++i) bucket[i] = buckets;  // none of these
+  for (std::size_t i = values.size(); i % 8 != 0; ++i) bucket[i] = buckets;  // none of these [layout]
   std::array<double, 3> result;
   std::array<double, most> inside;
   std::size_t at = 0, before = 0;  // a bucket, and the values in those before it
@@ -85,7 +86,7 @@ std::array<double, 3> at_ranks(std::span<const double> values, const std::array<
     if (taken != at) {
       taken = at;
       const std::size_t found = take_bucket(values, bucket, at, inside);
-      if (found > 16) {
+      if (found > 16) {  // [speed]
         std::sort(inside.begin(), inside.begin() + static_cast<std::ptrdiff_t>(found));
       } else {
         insertion_sort(inside.data(), found);

@@ -11,6 +11,7 @@
 #include <queue>
 #include <tuple>
 
+#include "base/model.h"
 #include "base/parallel.h"
 #include "base/prefault.h"
 #include "base/vec.h"
@@ -35,7 +36,7 @@ constexpr std::uint32_t nowhere = ~std::uint32_t{0};
 
 // The place in a star of the corner between a and b, in either order.
 std::uint32_t corner_between(Star star, Index a, Index b) {
-  constexpr std::size_t most = 32;
+  constexpr std::size_t most = 32;  // [layout]
   const std::size_t count = star.size();
   std::uint32_t is_a = 0;  // a bit for each place
   for (std::size_t i = 0; i < std::min(count, most); ++i) {
@@ -68,7 +69,7 @@ struct Row {
   std::vector<Proposal> rest;
 };
 
-constexpr std::size_t points_in_row = 4096;
+constexpr std::size_t points_in_row = 4096;  // [speed]
 
 // What all stars name, read in two rounds: of most triangles all corners have them in their stars, which the
 // corner of least id finds out for all three. So the second round need not ask again.
@@ -89,7 +90,8 @@ class StarReader {
       });
       run.check_cancel();
     };
-    for (Row& row : rows) row.agreed.reserve(9 * points_in_row / 4);  // a surface has two triangles a point
+    for (Row& row : rows)
+      row.agreed.reserve(9 * points_in_row / 4);  // a surface has two triangles a point [speed]
     for_each_star([&](Index v, Row& row) { read_agreed(v, row.agreed); });
     for_each_star([&](Index v, Row& row) { read_rest(v, row.rest); });
     return rows;
@@ -143,7 +145,7 @@ void take_agreed(TriangleSet& set, const DelaunayStars& stars, std::vector<Row>&
     start.push_back(start.back() + row.agreed.size());
     more += row.rest.size();
   }
-  more += start.back() / 16;
+  more += start.back() / 16;  // [speed]
   std::vector<Triangle> triangles;
   std::vector<double> radii;
   resize_together(triangles, start.back(), run, more);
@@ -247,10 +249,10 @@ TriangleSet propose_surface(Points points, const std::vector<Frame>& frames, con
 }
 
 TriangleSet propose_surface(const Samples& samples, const Run& run) {
-  constexpr double largest_proposed = 4.0;  // spacings; the search takes away what is too much
   const DelaunayStars stars =
       find_delaunay_stars(samples.points, samples.neighbours, samples.spacing, samples.frames, run);
-  return propose_surface(samples.points, samples.frames, stars, samples.spacing, largest_proposed, run);
+  return propose_surface(samples.points, samples.frames, stars, samples.spacing, model::proposed_largest,
+                         run);
 }
 
 TriangleSet with_missing_ears(TriangleSet set, const std::vector<double>& spacing, double largest,

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/model.h"
 #include "base/parallel.h"
 #include "rimline/delaunay.h"
 
@@ -16,7 +17,8 @@ namespace {
 
 // Two unit vectors across a unit vector.
 std::array<Point, 2> across(Point view) {
-  const Point axis = std::abs(view.x) < 0.8 ? Point{1, 0, 0} : Point{0, 1, 0};
+  const Point axis =
+      std::abs(view.x) < 0.8 ? Point{1, 0, 0} : Point{0, 1, 0};  // [guard] any axis not along it
   const Point u = cross(view, axis), unit = (1 / norm(u)) * u;
   return {unit, cross(view, unit)};
 }
@@ -31,7 +33,7 @@ double quantile(std::vector<double>& values, double share) {
 // The sum of what add(i, sum) adds for each i, from parts of the same size for any number of threads.
 template <class Sum, class Add>
 Sum sum_over(std::size_t count, const Run& run, const Add& add) {
-  constexpr std::size_t in_part = 16384;
+  constexpr std::size_t in_part = 16384;  // [speed]
   std::vector<Sum> parts((count + in_part - 1) / in_part, Sum::Zero());
   parallel_tasks(parts.size(), Stage::Survey, run, [&](std::size_t k) {
     Sum sum = Sum::Zero();  // parts side by side would share a line of the cache
@@ -44,7 +46,7 @@ Sum sum_over(std::size_t count, const Run& run, const Add& add) {
 
 // The direction in which the points extend least; none where they do not extend in it at all.
 std::optional<Point> thinnest(Points points, const Run& run) {
-  constexpr double flat = 1e-12;  // of the variance in the middle direction
+  constexpr double flat = 1e-12;  // of the variance in the middle direction [guard]
   const auto at = [&](std::size_t i) { return Eigen::Vector3d(points[i].x, points[i].y, points[i].z); };
   const Eigen::Vector3d mean =
       sum_over<Eigen::Vector3d>(points.size(), run, [&](std::size_t i, Eigen::Vector3d& s) { s += at(i); }) /
@@ -63,7 +65,7 @@ std::optional<Point> thinnest(Points points, const Run& run) {
 class Look {
  public:
   Look(Points points, const Neighbours& neighbours, Index samples) {
-    const int k = std::min(12, neighbours.k);
+    const int k = std::min(model::few_neighbours, neighbours.k);
     const Index n = neighbours.size(), count = std::min(n, samples);
     std::vector<double> in_space;
     for (Index s = 0; s < count; ++s) {
@@ -93,12 +95,13 @@ class Look {
   double spread(Point view) const {
     std::vector<double> all = nearest(view);
     const double middle = quantile(all, 0.5);
-    return middle >= least_ ? (quantile(all, 0.9) - quantile(all, 0.1)) / middle : 1e300;
+    return middle >= least_ ? (quantile(all, 0.9) - quantile(all, 0.1)) / middle  // [layout]
+                            : 1e300;                                              // [layout] a spread
   }
 
   // The median of these distances, where nearly all are equal to it.
   std::optional<double> step(Point view) const {
-    constexpr double tolerance = 0.02, least_share = 0.95;
+    constexpr double tolerance = model::range_step_tolerance, least_share = model::range_step_share;
     std::vector<double> all = nearest(view);
     const double middle = quantile(all, 0.5);
     const auto agree = std::count_if(all.begin(), all.end(),
@@ -120,11 +123,11 @@ struct View {
 
 // Directions spread evenly over half the sphere (a Fibonacci lattice), the least spread first.
 std::vector<View> look_around(const Look& look, const Run& run) {
-  constexpr int directions = 400;
+  constexpr int directions = 400;  // [speed]
   std::vector<View> views(directions);
   parallel_tasks(views.size(), Stage::Survey, run, [&](std::size_t i) {
     const double at = static_cast<double>(i) + 0.5, z = at / directions, r = std::sqrt(1 - z * z);
-    const double angle = std::numbers::pi * (1 + std::sqrt(5.0)) * at;
+    const double angle = std::numbers::pi * (1 + std::sqrt(5.0)) * at;  // [layout] golden angle
     const Point direction{r * std::cos(angle), r * std::sin(angle), z};
     views[i] = {look.spread(direction), direction};
   });
@@ -135,11 +138,12 @@ std::vector<View> look_around(const Look& look, const Run& run) {
 
 // Walks to the least spread near a view, in ever smaller steps.
 View settle(const Look& look, View view) {
-  double stride = 0.1;                                       // radians
-  for (int step = 0; step < 200 && stride > 1e-4; ++step) {  // bounded, as rounding may lead in a circle
+  double stride = 0.1;                             // radians [speed]
+  for (int step = 0; step < 200 && stride > 1e-4;  // [guard]
+       ++step) {                                   // bounded, as rounding may lead in a circle [guard]
     const auto [u, v] = across(view.direction);
     bool better = false;
-    for (int k = 0; k < 8 && !better; ++k) {
+    for (int k = 0; k < 8 && !better; ++k) {  // [speed]
       const double angle = k * std::numbers::pi / 4;
       const Point to = view.direction + stride * (std::cos(angle) * u + std::sin(angle) * v);
       const Point unit = (1 / norm(to)) * to;
@@ -215,10 +219,9 @@ void open_pinches(TriangleSet& set) {
 // of its Delaunay triangulation most are half a cell. (A tunnel sampled in rows shows even steps along these
 // from many sides.)
 std::vector<Triangle> triangles_of_cells(Points points, Point view, double step, const Run& run) {
-  constexpr double largest = 1.5, jump = 6;       // times the median; steps
-  constexpr double tolerance = 0.15, most = 0.8;  // of the area; of the triangles
-  // Scans have 1 to 3 % of their triangles at depth jumps, and samples between those of the raster never.
-  constexpr double fewest_jumps = 0.005, most_slight = 0.0005;  // of the triangles
+  constexpr double largest = model::range_cell_largest, jump = model::range_jump;
+  constexpr double tolerance = model::range_cell_tolerance, most = model::range_cell_share;
+  constexpr double fewest_jumps = model::range_fewest_jumps, most_slight = model::range_most_slight;
   const auto [u, v] = across(view);
   std::vector<UV> seen;
   for (const Point& p : points) seen.push_back({dot(p, u), dot(p, v)});
@@ -261,9 +264,9 @@ std::vector<Triangle> triangles_of_cells(Points points, Point view, double step,
 }  // namespace
 
 std::optional<RangeImage> find_range_image(Points points, const Neighbours& neighbours, const Run& run) {
-  constexpr Index fewest = 200, quick = 500, thorough = 5000;
+  constexpr Index quick = 500, thorough = 5000;  // [speed] samples
   constexpr int starts = 4;
-  if (neighbours.size() < fewest) return std::nullopt;
+  if (neighbours.size() < model::range_fewest_points) return std::nullopt;
   const Look all(points, neighbours, thorough);
   const auto raster = [&](Point view) -> std::optional<RangeImage> {
     const auto step = all.step(view);

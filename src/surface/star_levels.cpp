@@ -12,7 +12,7 @@
 namespace rimline {
 namespace {
 
-constexpr int shift = 47;  // of the bits of a number, to leave 32 steps an octave
+constexpr int shift = 47;  // of the bits of a number, to leave 32 steps an octave [layout]
 
 // For numbers that are not negative the order of their bits is their own.
 int step_of(double value) {
@@ -24,7 +24,7 @@ double first_of(int step) { return std::bit_cast<double>(static_cast<std::uint64
 // The steps that part the radii into equally many, by a sample.
 template <std::size_t count>
 std::array<int, count> part(const TriangleSet& set) {
-  constexpr Index most_asked = 4096;
+  constexpr Index most_asked = 4096;  // [speed]
   std::vector<int> steps;
   const Index stride = 1 + set.size() / most_asked;
   for (Index t = 0; t < set.size(); t += stride) steps.push_back(step_of(set.radius(t)));
@@ -50,7 +50,7 @@ class Levels {
   }
 
  private:
-  static constexpr int reach = 512;  // steps to each side of the middle: 16 octaves
+  static constexpr int reach = 512;  // steps to each side of the middle: 16 octaves [speed]
 
   std::uint8_t search(int step) const {
     const auto above = std::upper_bound(starts_.begin(), starts_.end(), step);
@@ -62,10 +62,10 @@ class Levels {
   std::array<std::uint8_t, 2 * reach> level_;
 };
 
-constexpr std::size_t most_counted = 254;  // triangles of several stars
+constexpr std::size_t most_counted = 254;  // triangles of several stars [layout]
 
 std::uint8_t size_of(std::span<const Index> star) {
-  return static_cast<std::uint8_t>(std::min<std::size_t>(star.size(), 255));
+  return static_cast<std::uint8_t>(std::min<std::size_t>(star.size(), 255));  // [layout]
 }
 
 }  // namespace
@@ -73,7 +73,8 @@ std::uint8_t size_of(std::span<const Index> star) {
 // Of the triangles of a star, how many are below each limit.
 template <class LevelOf>
 StarLevels::Row StarLevels::count_star(std::span<const Index> star, const LevelOf& level_of) {
-  constexpr Block first{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, second = first + block;
+  constexpr Block first{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15},  // [layout]
+      second = first + block;                                                   // [layout]
   Row below{};
   for (const Index t : star) {
     const std::uint8_t level = level_of(t);
@@ -90,8 +91,8 @@ std::uint8_t StarLevels::level_at(const Row& below, std::size_t rank) {
       -reinterpret_cast<Block>(below.low <= most) - reinterpret_cast<Block>(below.high <= most);
   std::uint64_t half[2];
   std::memcpy(half, &reached, block);
-  constexpr std::uint64_t ones = 0x0101010101010101;
-  return static_cast<std::uint8_t>((half[0] + half[1]) * ones >> 56);  // 32 at most
+  constexpr std::uint64_t ones = 0x0101010101010101;                   // [layout]
+  return static_cast<std::uint8_t>((half[0] + half[1]) * ones >> 56);  // 32 at most [layout]
 }
 
 StarLevels::StarLevels(const TriangleSet& set, const Run& run) : starts_(part<limits>(set)) {

@@ -36,13 +36,13 @@ class StarLevels {
     bool known = false;
   };
   static std::array<std::size_t, 3> ranks_among(std::size_t count) {
-    return {count / 4, 5 * count / 8, 3 * count / 4};
+    return {count / 4, 5 * count / 8, 3 * count / 4};  // [layout] quartiles, and a usual size
   }
   // Of vertices that follow each other, from the first on, with so many neighbours each.
   void look(const Neighbours& neighbours, int near, Index first, std::span<Around> found) const;
 
  private:
-  static constexpr std::size_t limits = 32, block = 16;  // bytes that are added and compared at once
+  static constexpr std::size_t limits = 32, block = 16;  // bytes that are added and compared at once [layout]
   using Block = std::uint8_t __attribute__((vector_size(block)));
   struct Row {
     Block low, high;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/compaction.h"
+#include "base/model.h"
 #include "base/parallel.h"
 #include "base/prefault.h"
 #include "base/vec.h"
@@ -27,7 +28,7 @@ double angle_at(Point a, Point b, Point c) {
 TriangleSet::AtVertices::AtVertices(const DelaunayStars& stars, const Run& run) : stars_(stars) {
   resize_together(places_, stars.size(), run);
   const std::size_t places = stars.start(stars.size());
-  resize_together(ids_, places, run, places / 8);
+  resize_together(ids_, places, run, places / 8);  // [speed]
   parallel_for_each(stars.size(), Stage::Survey, run, [&](Index v) {
     const auto room = static_cast<std::uint32_t>(stars[v].size());
     places_[v] = {stars.start(v), room, room};
@@ -74,7 +75,7 @@ void TriangleSet::put_at_vertex(Index vertex, Index triangle) {
   Place& place = stars_[vertex];
   if (place.count == place.room) {  // moves to the end, with twice the room
     const std::size_t first = at_vertex_.size();
-    place.room = std::max(8u, 2 * place.room);
+    place.room = std::max(8u, 2 * place.room);  // [speed]
     at_vertex_.resize(first + place.room, none);
     std::copy_n(at_vertex_.begin() + place.first, place.count, at_vertex_.begin() + first);
     place.first = first;
@@ -164,7 +165,7 @@ bool TriangleSet::folds_back(Index a, Index b, Index c, Index d) const {
     return x - (dot(x, e) / dot(e, e)) * e;
   };
   const Point x = off_edge(c), y = off_edge(d);
-  return dot(x, y) > 0.5 * norm(x) * norm(y);
+  return dot(x, y) > model::folds_back * norm(x) * norm(y);
 }
 
 double TriangleSet::direction(Index from, Index to) const {
@@ -175,7 +176,7 @@ double TriangleSet::direction(Index from, Index to) const {
 
 // Whether the corner between a and b at the vertex leaves the other corners there alone, seen in its plane.
 bool TriangleSet::fits_around(Index vertex, Index a, Index b) const {
-  constexpr double turn = 2 * std::numbers::pi, overlap = 0.1;  // radians that corners may overlap by
+  constexpr double turn = 2 * std::numbers::pi, overlap = model::corner_overlap;
   if (star(vertex).empty()) return true;
   if (closes_beside_others(vertex, a, b)) return false;
   const auto corner = [&](Index x, Index y, double& middle, double& half) {

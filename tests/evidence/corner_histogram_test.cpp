@@ -99,3 +99,21 @@ TEST_CASE("nothing is usual or rare behind a rim that is even") {
             .log_tail(right_angle, 0) == 0);
   CHECK(CornerHistogram().log_tail(2, 1) == 0);
 }
+
+TEST_CASE("histograms of two parts add up to twice one of equal parts: the same tails") {
+  const Sheet sheet(0.2);
+  const CornerHistogram one(sheet.set, sheet.sizes, sheet.neighbours, sheet.rims, sheet.selected);
+  CornerHistogram both = one;
+  both += one;
+  CornerHistogram none;
+  none += one;
+  bool any = false;
+  for (const double angle : {0.5, 1.0, 1.5, 2.5}) {
+    for (const double ratio : {-0.5, 0.0, 0.3}) {
+      CHECK(none.log_tail(angle, ratio) == one.log_tail(angle, ratio));
+      CHECK(both.log_tail(angle, ratio) >= one.log_tail(angle, ratio));
+      any |= both.log_tail(angle, ratio) > one.log_tail(angle, ratio);
+    }
+  }
+  CHECK(any);
+}

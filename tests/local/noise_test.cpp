@@ -21,9 +21,21 @@ Sample make(Shape shape, Sampling sampling, double noise) {
   return sample(options, {});
 }
 
+std::vector<Distances> distances_of(Points points, const Neighbours& neighbours) {
+  const std::vector<double> spacing = local_spacing(points, neighbours);
+  std::vector<Distances> distances;
+  for (Index i = 0; i < neighbours.size(); ++i)
+    distances.push_back(measure_distances(points, neighbours, spacing, i));
+  return distances;
+}
+
 double level_of(Points points) {
   const Neighbours neighbours = find_neighbours(points, 40, {});
-  return noise_level(points, neighbours, local_spacing(points, neighbours), {});
+  const std::vector<double> spacing = local_spacing(points, neighbours);
+  std::vector<double> deviations;
+  for (Index i = 0; i < neighbours.size(); ++i)
+    deviations.push_back(quadric_deviation(points, neighbours, spacing, i));
+  return noise_level(deviations, variation_of_nearest(distances_of(points, neighbours)));
 }
 
 double mean_square_z(Points points) {
@@ -74,7 +86,7 @@ TEST_CASE("random points are told from those that keep apart, under noise as wel
   const auto irregularity_of = [](Shape shape, Sampling sampling, double noise) {
     const Sample drawn = make(shape, sampling, noise);
     const Neighbours neighbours = find_neighbours(drawn.points, 40, {});
-    return irregularity(drawn.points, neighbours, local_spacing(drawn.points, neighbours));
+    return irregularity(distances_of(drawn.points, neighbours), neighbours.k);
   };
   for (const Shape shape : {Shape::FlatDisc, Shape::CurledStrip}) {
     CHECK(irregularity_of(shape, Sampling::Random, 0) == 1);

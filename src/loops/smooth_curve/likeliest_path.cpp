@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "base/model.h"
 #include "evidence/probability.h"
 
 namespace rimline {
@@ -23,7 +24,7 @@ struct State {
 // of the projections from the others.
 std::vector<State> find_states(const RimCurve& curve, const std::vector<Projection>& projections,
                                std::size_t count, double line, double noise) {
-  constexpr double least_odds = -6;  // of a projection that is worth a look
+  constexpr double least_odds = model::path_least_odds;
   const std::vector<double> along = curve.running_count();
   const auto around = static_cast<double>(count);
   const auto position = [&](double t) {
@@ -52,9 +53,9 @@ std::vector<State> find_states(const RimCurve& curve, const std::vector<Projecti
 
 std::vector<RimSample> likeliest_path(const RimCurve& curve, const std::vector<Projection>& projections,
                                       std::size_t count, double noise) {
-  constexpr double uneven = 0.1;        // variance of the steps of a rim without noise: 0.3 of their length
-  constexpr double usual = 0.4;         // about the mean cost of a step, so that it moves no line
-  constexpr std::size_t farthest = 48;  // states passed over
+  constexpr double uneven = model::path_uneven;
+  constexpr double usual = model::path_usual_step;
+  constexpr std::size_t farthest = 48;                 // states passed over [speed]
   const double variance = uneven + 2 * noise * noise;  // both ends of a step move
   const double line = 0.5 * (projections[count - 1].out + projections[count].out);
   std::vector<State> states = find_states(curve, projections, count, line, noise);

@@ -11,23 +11,25 @@
 #include <span>
 #include <tuple>
 
+#include "base/model.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 
 namespace rimline {
 namespace {
 
-constexpr std::size_t samples_in_task = 128;  // long enough to hide the cost of a task
+constexpr std::size_t samples_in_task = 128;  // long enough to hide the cost of a task [speed]
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Numbers points in the order in which they are asked for first. An open hash table.
 class PointNumbers {
  public:
   explicit PointNumbers(std::size_t most_asked)
-      : shift_(32 - std::bit_width(most_asked)), slots_(std::size_t{1} << (32 - shift_), {none, 0}) {}
+      : shift_(32 - std::bit_width(most_asked)),               // [layout]
+        slots_(std::size_t{1} << (32 - shift_), {none, 0}) {}  // [layout]
 
   std::uint32_t of(Index point) {
-    std::size_t at = static_cast<std::uint32_t>(point) * 2654435769u >> shift_;
+    std::size_t at = static_cast<std::uint32_t>(point) * 2654435769u >> shift_;  // [layout] golden ratio
     while (slots_[at].point != point && slots_[at].point != none) at = next_in(at, slots_.size());
     if (slots_[at].point == none) slots_[at] = {point, count_++};
     return slots_[at].number;
@@ -79,7 +81,7 @@ class Projector {
  private:
   // Seeks the nearest knot about each t, of those whose surface the point lies on.
   void seek(Projection& projection, std::span<const double> about) const {
-    constexpr std::ptrdiff_t reach = 8;  // knots, four spacings
+    constexpr std::ptrdiff_t reach = 8;  // knots, four spacings [speed]
     const std::ptrdiff_t far = std::min(reach, curve_.size() / 3);
     std::ptrdiff_t begin = 0, end = 0;  // knots that were looked at: most samples of a projection share them
     for (const double t : about) {
@@ -156,8 +158,8 @@ std::vector<Projection> project(const RimCurve& curve, Points points, const Neig
 std::vector<std::pair<double, Offset>> offsets_behind(const RimCurve& curve,
                                                       const std::vector<Projection>& projections,
                                                       Points points, const Neighbours& neighbours) {
-  constexpr double near = 0.6, far = 2.6;  // spacings
-  constexpr int count = 16;
+  constexpr double near = model::behind_near, far = model::behind_far;
+  constexpr int count = model::more_neighbours;
   std::vector<const Projection*> behind;
   for (const Projection& p : projections) {
     if (p.out <= -near && p.out >= -far) behind.push_back(&p);

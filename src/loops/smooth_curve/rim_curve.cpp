@@ -6,20 +6,21 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/model.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 
 namespace rimline {
 namespace {
 
-constexpr std::size_t knots_in_task = 32;  // long enough to hide the cost of a task
+constexpr std::size_t knots_in_task = 32;  // long enough to hide the cost of a task [speed]
 
 Point unit(Point p) { return (1 / std::max(norm(p), 1e-300)) * p; }
 
 // The mean of the spacings about a point, which is less partial than its own: the neighbours of a point of
 // the rim are on one side.
 double spacing_about(const Neighbours& neighbours, const std::vector<double>& spacing, Index point) {
-  const auto near = neighbours.of(point, std::min(12, neighbours.k));
+  const auto near = neighbours.of(point, std::min(model::few_neighbours, neighbours.k));
   double sum = 0;
   for (const Index v : near) sum += spacing[v];
   return sum / static_cast<double>(near.size());
@@ -138,8 +139,8 @@ double RimCurve::strip(double depth) const {
 
 RimCurve RimCurve::with_densities(const std::vector<std::pair<double, Offset>>& offsets,
                                   const Run& run) const {
-  constexpr double window = 6;       // of t, to either side
-  constexpr std::size_t stride = 6;  // from one measure to the next; between them it changes little
+  constexpr double window = model::curve_anisotropy_window;
+  constexpr std::size_t stride = 6;  // from one measure to the next; between them it changes little [speed]
   const auto take = [&](double from, double to, std::vector<Offset>& near) {
     auto at = std::lower_bound(offsets.begin(), offsets.end(), from,
                                [](const auto& x, double t) { return x.first < t; });

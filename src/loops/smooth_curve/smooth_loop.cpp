@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/model.h"
 #include "loops/smooth_curve/likeliest_path.h"
 #include "loops/smooth_curve/projections.h"
 #include "loops/smooth_curve/rim_curve.h"
@@ -23,7 +24,7 @@ struct Layout {
 std::optional<Layout> lay_out(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                               const std::vector<RimSample>& samples, double period, const NoiseModel& noise,
                               const Run& run) {
-  const double window = 4 + 8 * noise.noise;  // the curve must average over more where points scatter more
+  const double window = model::curve_window + model::curve_window_noise * noise.noise;
   auto curve = fit_rim_curve(points, neighbours, spacing, samples, period, window, run);
   if (!curve) return {};
   std::vector<Projection> found = project(*curve, points, neighbours, samples, run);
@@ -47,20 +48,20 @@ double row_of(const std::vector<Projection>& projections) {
 std::size_t expected_count(const Layout& layout) {
   // The density is measured in a strip behind the rim with soft edges, so that no row comes in or falls out
   // as a whole.
-  constexpr double middle = 1.5, width = 1;  // spacings
+  constexpr double middle = model::strip_middle, width = model::strip_width;
   const auto& [curve, projections] = layout;
   const double row = row_of(projections);
   double behind = 0;
   for (const Projection& p : projections) behind += std::max(0.0, 1 - std::abs(p.out - row + middle) / width);
   const double density = behind / (width * curve.strip(middle - row));
   const double count = std::sqrt(density) * curve.point_count() * curve.strip(-row) / curve.strip(0);
-  return count < 1e9 ? static_cast<std::size_t>(std::lround(count)) : 0;
+  return count < 1e9 ? static_cast<std::size_t>(std::lround(count)) : 0;  // [guard]
 }
 
 // The count near the expected one at which fewest points lie about the line between the first so many and the
 // others.
 std::size_t count_at_valley(const Layout& layout, std::size_t count, bool anisotropic) {
-  constexpr double width = 0.12;  // spacings: half of what is looked at
+  constexpr double width = model::valley_width;
   const auto& [curve, found] = layout;
   const auto beyond = [&all = layout.projections](double out) {  // how many lie farther out
     const auto at = std::lower_bound(all.begin(), all.end(), out,
@@ -68,7 +69,7 @@ std::size_t count_at_valley(const Layout& layout, std::size_t count, bool anisot
     return static_cast<std::size_t>(at - all.begin());
   };
   const double usual = 2 * width * curve.strip(0);  // one point to a square spacing
-  const double share = anisotropic ? 0.08 : 0.03;   // by which the count is wrong
+  const double share = anisotropic ? model::valley_share_anisotropic : model::valley_share;
   const double likely = 1 + share * static_cast<double>(count);
   const auto most = static_cast<std::size_t>(std::lround(2 * likely));
   double least = std::numeric_limits<double>::infinity();
@@ -90,7 +91,8 @@ std::size_t count_at_valley(const Layout& layout, std::size_t count, bool anisot
 // half a spacing's worth. Rows along the rim are not random.
 std::size_t count_close_behind(std::size_t count, const NoiseModel& noise) {
   if (noise.anisotropic) return 0;
-  return static_cast<std::size_t>(std::lround(0.5 * noise.irregular * static_cast<double>(count)));
+  return static_cast<std::size_t>(
+      std::lround(model::random_close * noise.irregular * static_cast<double>(count)));
 }
 
 // The line between the first `last` projections, which may be on the rim, and the others. Among random points
@@ -98,7 +100,8 @@ std::size_t count_close_behind(std::size_t count, const NoiseModel& noise) {
 // measured from there: to count what lies in it is wrong by as much as chance has put there.
 double parting_line(const std::vector<Projection>& projections, std::size_t count, std::size_t last,
                     const NoiseModel& noise) {
-  if (last > count && noise.noise == 0 && noise.irregular >= 0.5) return projections[count / 2].out - 0.5;
+  if (last > count && noise.noise == 0 && noise.irregular >= model::is_random)
+    return projections[count / 2].out - model::random_close;
   return 0.5 * (projections[last - 1].out + projections[last].out);
 }
 
@@ -107,8 +110,8 @@ double parting_line(const std::vector<Projection>& projections, std::size_t coun
 SmoothedLoop smooth_loop(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                          const std::vector<Index>& rim, const std::vector<Point>& normals,
                          const NoiseModel& noise, const Run& run) {
-  constexpr std::size_t shortest = 10;
-  constexpr int rounds = 3;  // each fits the curve to the loop of the last
+  constexpr std::size_t shortest = model::curve_least;
+  constexpr int rounds = model::curve_rounds;
   if (rim.size() < shortest) return {};
   std::vector<RimSample> samples;
   for (std::size_t i = 0; i < rim.size(); ++i)
@@ -129,7 +132,7 @@ SmoothedLoop smooth_loop(Points points, const Neighbours& neighbours, const std:
       samples = along_curve(all, last);
       continue;
     }
-    const bool is_even = noise.noise > 0 && noise.irregular < 0.5 && !noise.anisotropic;
+    const bool is_even = noise.noise > 0 && noise.irregular < model::is_random && !noise.anisotropic;
     std::vector<RimSample> on_rim =
         is_even ? likeliest_path(layout->curve, all, count, noise.noise) : along_curve(all, count);
     if (on_rim.size() < shortest) return {};

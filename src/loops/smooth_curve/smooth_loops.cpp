@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/model.h"
 #include "base/vec.h"
 #include "evidence/probability.h"
 #include "loops/smooth_curve/smooth_loop.h"
@@ -29,7 +30,7 @@ std::vector<Point> normals_along(const Loop& loop, const RimEvidence& e) {
 
 SmoothedLoops smooth_loops(const std::vector<Loop>& loops, const std::vector<float>& probability,
                            const RimEvidence& e, const Run& run) {
-  constexpr double most = 1.5;  // times the length before: triangles cut a third off a small rim
+  constexpr double most = model::smooth_most_length;
   const NoiseModel& noise = e.sampling.noise;
   SmoothedLoops result{loops, probability};
   if (noise.noise == 0 && noise.irregular == 0) return result;

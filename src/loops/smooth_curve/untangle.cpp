@@ -7,8 +7,8 @@
 namespace rimline {
 
 std::vector<RimSample> untangle(Points points, std::vector<RimSample> loop) {
-  constexpr std::size_t longest = 8;
-  constexpr int sweeps = 10;
+  constexpr std::size_t longest = 8;  // [speed]
+  constexpr int sweeps = 10;          // [guard]
   const std::size_t n = loop.size();
   if (n < 3 * longest) return loop;
   const auto at = [&](std::size_t i) -> RimSample& { return loop[i % n]; };
@@ -23,7 +23,7 @@ std::vector<RimSample> untangle(Points points, std::vector<RimSample> loop) {
       for (std::size_t j = i + 2; j < i + longest; ++j) {  // the stretch from i + 1 to j
         const Point normal = at(i).normal;
         const double before = length(i, i + 1, normal) + length(j, j + 1, normal);
-        if (length(i, j, normal) + length(i + 1, j + 1, normal) >= before * (1 - 1e-9)) continue;
+        if (length(i, j, normal) + length(i + 1, j + 1, normal) >= before * (1 - 1e-9)) continue;  // [guard]
         for (std::size_t a = i + 1, b = j; a < b; ++a, --b) std::swap(at(a), at(b));
         again = true;
       }
