@@ -57,6 +57,28 @@ std::vector<std::string> paths_in(const std::string& line) {
   return paths;
 }
 
+// Without comments and with single blanks.
+std::string plain(const std::string& code) {
+  std::string text;
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);) text += line.substr(0, line.find("//")) + " ";
+  std::istringstream words(text);
+  text.clear();
+  for (std::string word; words >> word;) text += word + " ";
+  return text;
+}
+
+// The statements of the first block of C++ under a heading.
+std::vector<std::string> statements_under(const std::string& page, const std::string& heading) {
+  constexpr std::string_view fence = "```cpp\n";
+  const std::size_t start = page.find(fence, page.find(heading)) + fence.size();
+  const std::string block = page.substr(start, page.find("```", start) - start);
+  std::vector<std::string> statements;
+  std::istringstream lines(block);
+  for (std::string line; std::getline(lines, line);) statements.push_back(plain(line));
+  return statements;
+}
+
 bool is_name(const std::string& text) {
   for (const char c : text) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != ':') return false;
@@ -102,5 +124,17 @@ TEST_CASE("every definition, assumption, theorem, algorithm and equation of the 
         "section 6"}) {
     CAPTURE(item);
     CHECK(contains(method, "| " + std::string(item) + " |"));
+  }
+}
+
+TEST_CASE("the flow that docs/architecture.md prints is that of reconstruct") {
+  const std::string pipeline = plain(read_file((root / "src/pipeline/pipeline.cpp").string()));
+  const std::string reconstruct = pipeline.substr(pipeline.find("ReconstructResult reconstruct("));
+  const auto statements =
+      statements_under(read_file((root / "docs/architecture.md").string()), "## What flows");
+  CHECK(statements.size() >= 6);
+  for (const std::string& statement : statements) {
+    CAPTURE(statement);
+    CHECK(contains(reconstruct, statement));
   }
 }
