@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // LAS, LAZ and E57: small files of others (files/make.py) whose numbers are known, and damage done to them.
+#include <cmath>
 #include <cstdlib>
 #include <random>
 
@@ -70,6 +71,24 @@ TEST_CASE("scans of an E57 follow each other, each moved by its pose") {
   CHECK(cloud.find("green")->type == Scalar::UInt8);
 }
 
+TEST_CASE("an E57 in spherical coordinates has its times, returns from 1 and turned normals") {
+  if (skipped()) return;
+  const Cloud cloud = read_cloud(file("spherical.e57"), {});
+  REQUIRE(cloud.points.size() == 20);
+  for (int i = 0; i < 20; ++i) {
+    CAPTURE(i);
+    const double range = 5 + i / 8.0, azimuth = i / 16.0, elevation = -i / 32.0;
+    const Point before = {range * std::cos(elevation) * std::cos(azimuth),
+                          range * std::cos(elevation) * std::sin(azimuth), range * std::sin(elevation)};
+    CHECK(norm(cloud.points[i] - Point{100 - before.y, before.x, before.z}) < 1e-12);
+    CHECK(cloud.find("time")->value(i) == i / 4.0);
+    CHECK(cloud.find("return_number")->value(i) == 1 + i % 4);
+    CHECK(cloud.find("number_of_returns")->value(i) == 4);
+    CHECK(norm(cloud.normals()[i] - Point{0, 1, 0}) < 1e-12);
+  }
+  CHECK(read_cloud(file("spherical.e57"), {.returns = Returns::Last}, {}).points.size() == 5);
+}
+
 TEST_CASE("classes of a LAZ are chosen, and the points know their place in the file") {
   if (skipped()) return;
   const Cloud cloud = read_cloud(file("points_1.4.laz"), {.classes = {2, 4}}, {});
@@ -124,8 +143,8 @@ TEST_CASE("damaged LAS, LAZ and E57 are read or refused, and nothing else happen
   const int rounds = asked != nullptr ? std::atoi(asked) : 300;
   std::mt19937 random(5);
   std::size_t read = 0, refused = 0;
-  for (const std::string name :
-       {"points_1.2.las", "points_1.2.laz", "points_1.4.las", "points_1.4.laz", "two_scans.e57"}) {
+  for (const std::string name : {"points_1.2.las", "points_1.2.laz", "points_1.4.las", "points_1.4.laz",
+                                 "two_scans.e57", "spherical.e57"}) {
     const std::string whole = content_of(file(name));
     for (int trial = 0; trial < rounds; ++trial) {
       std::string bytes = whole;

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""make.py FOLDER: the small files that scan_formats_test.cpp reads; needs laspy with lazrs, and pye57."""
+"""make.py FOLDER: the small files that scan_formats_test.cpp reads; needs laspy with lazrs, and pye57.
+spherical.e57 is of src/io/scan_formats/examples/spherical.rs."""
 
 import pathlib
 import sys
