@@ -28,19 +28,13 @@ void take_mesh(ReconstructResult result, Outcome& outcome) {
   take_boundary(std::move(result.boundary), outcome);
 }
 
-// Where a component is refused, the others are meshed and the reason is kept; where all are, there are still
-// loops.
-void reconstruct_or_find(const Case& c, Options options, Outcome& outcome) {
+// Where no triangle can be given there are still loops.
+void reconstruct_or_find(const Case& c, const Options& options, Outcome& outcome) {
   try {
-    return take_mesh(reconstruct(c.points, options, one_thread()), outcome);
-  } catch (const Error& error) {
-    outcome.mesh_error = error.what();
-  }
-  try {
-    options.mesh.allow_partial = true;
     take_mesh(reconstruct(c.points, options, one_thread()), outcome);
-  } catch (const Error&) {
-    take_boundary(find_boundary(c.points, options, one_thread()), outcome);
+  } catch (const NoMesh& error) {
+    outcome.mesh_error = error.what();
+    take_boundary(error.found, outcome);
   }
 }
 

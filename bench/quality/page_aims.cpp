@@ -170,7 +170,7 @@ class Aims {
     const Rows rows = choose(rows_, [](const Row& r) { return r.name.group == "topology"; });
     const Summary s = summarize(rows, &Row::mesh, "verdict_right");
     if (s.count == 0) return;
-    add("torus minus cap, Moebius strip, sphere, pipe", "named right in all",
+    add("torus minus cap, Moebius strip, sphere, pipe", "Euler number and loops right in all",
         fmt::format("{:.0f} of {}", s.mean * static_cast<double>(s.count), s.count), s.least == 1);
   }
 

@@ -156,11 +156,11 @@ std::string verdict_table(const Results& results) {
   const Rows all = choose(results.rows, [](const Row& row) { return row.name.group == "topology"; });
   std::set<std::string> shapes;
   for (const Row* row : all) shapes.insert(row->name.shape);
-  Table table({"surface", "runs", "meshed", "refused by name", "right"});
+  Table table({"surface", "runs", "meshed", "Euler number and loops right"});
   for (const std::string& shape : shapes) {
     const Rows rows = choose(all, [&](const Row& row) { return row.name.shape == shape; });
     table.add({shape, std::to_string(rows.size()), percent_of(rows, &Row::mesh, "accepted"),
-               percent_of(rows, &Row::mesh, "named"), percent_of(rows, &Row::mesh, "verdict_right")});
+               percent_of(rows, &Row::mesh, "verdict_right")});
   }
   if (table.empty()) return {};
   return fmt::format("\nSurfaces that are no disc, 5,000 points:\n\n{}", table.markdown());

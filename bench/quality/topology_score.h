@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Are surfaces that no disc can map to named, and points that no loop covers labelled?
+// Are surfaces that are no disc meshed as what they are, and points that no loop covers labelled?
 #pragma once
 
 #include "quality/case.h"
@@ -10,8 +10,7 @@ namespace rimline::bench {
 
 // Of a case of the group "topology":
 //   accepted      there is a mesh
-//   named         the refusal says what is wrong: "closed", "handle" or "orient" as the shape has it
-//   verdict_right accepted and with two boundary loops (pipe), or refused and named (the others)
+//   verdict_right accepted, with the Euler number and the number of loops of the shape
 Metrics score_verdict(const Case& c, const Outcome& outcome);
 
 // loops_found_or_labelled: true loops that are covered to 0.9 within one spacing by one returned loop, or
