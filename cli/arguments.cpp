@@ -256,6 +256,15 @@ void add_mesh_method(CLI::App& command, MethodArguments& arguments) {
   add_path(command, "--uv-picture", arguments.uv_picture, "OUT.png|svg",
            "Draw the map: its layout in the plane, and a checkerboard that it puts on the surface");
   command
+      .add_flag_callback(
+          "--allow-partial",
+          [] {
+            fmt::print(stderr,
+                       "rimline: --allow-partial is what is done without it; --strict does the reverse\n");
+          },
+          "Has no effect: parts that can not be meshed are left out and listed, unless --strict is given")
+      ->group("Mesh (section 5)");
+  command
       .add_flag(
           "--distortion", arguments.distortion,
           "Give PLY the properties angle_distortion (radians), area_distortion (ratio), stretch_l2 and "

@@ -32,12 +32,42 @@ std::vector<Column> put_mesh_columns(const MethodArguments& arguments, const Rec
   return of_faces;
 }
 
+// Loops and report are written all the same where there is no mesh.
+void write_without_mesh(const MethodArguments& arguments, const Inputs& in, const BoundaryResult& found,
+                        Session& session) {
+  if (!arguments.loops.empty()) write_loops(arguments.loops, found.loops, in.cloud.points, session.run());
+  if (!arguments.report.empty()) write_text(arguments.report, to_json(found.report));
+}
+
+// What is known where nothing was found.
+BoundaryResult nothing_found(const MethodArguments& arguments, const Inputs& in, const Error& error) {
+  BoundaryResult result;
+  result.report.options = arguments.options();
+  result.report.seed = arguments.common.seed;
+  result.report.points.input = in.cloud.points.size();
+  result.report.warnings = {error.what()};
+  return result;
+}
+
+ReconstructResult mesh_or_write_rest(const MethodArguments& arguments, const Inputs& in, Session& session) {
+  try {
+    return reconstruct(in.cloud.points, arguments.options(), session.run(), in.given);
+  } catch (const NoMesh& error) {
+    write_without_mesh(arguments, in, error.found, session);
+    throw;
+  } catch (const Error& error) {
+    if (exit_status(error.code()) == exit_status(ErrorCode::NoClosedLoop))
+      write_without_mesh(arguments, in, nothing_found(arguments, in, error), session);
+    throw;
+  }
+}
+
 void run_reconstruct(const MethodArguments& arguments) {
   const auto outputs = outputs_of(arguments, {"--output", arguments.output, {}, true, check_mesh_path});
   check_outputs(outputs);
   Session session(arguments.common);
   Inputs in = read_inputs(arguments, session);
-  ReconstructResult result = reconstruct(in.cloud.points, arguments.options(), session.run(), in.given);
+  ReconstructResult result = mesh_or_write_rest(arguments, in, session);
   session.clock().enter(Stage::Write);
   add_fill_vertices(in.cloud, result.added, result.boundary);
   put_map_columns(in.cloud, result.uv, result.boundary.boundary);

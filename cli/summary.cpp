@@ -35,18 +35,35 @@ std::string loop_lines(const std::vector<Loop>& loops) {
   return text;
 }
 
-std::string mesh_lines(const MeshSummary& mesh, std::size_t self_intersections) {
+// "7 edges", "more than 100,000 self-intersections"; "" for none.
+std::string counted(std::size_t count, const char* one, const char* many, bool more = false) {
+  if (count == 0) return "";
+  return fmt::format(", {}{} {}", more ? "more than " : "", with_commas(count), count == 1 ? one : many);
+}
+
+std::string mesh_lines(const Report& report) {
+  const MeshSummary& mesh = report.mesh;
   std::string text = fmt::format("{} triangles on {} points, Euler number {}, {} boundary {}",
                                  with_commas(mesh.triangles), with_commas(mesh.points_used), mesh.euler,
                                  mesh.boundary_loops, mesh.boundary_loops == 1 ? "loop" : "loops");
-  if (mesh.nonmanifold_edges > 0) text += fmt::format(", {} non-manifold edges", mesh.nonmanifold_edges);
-  if (mesh.long_edges > 0) {
-    text += fmt::format(", {} edges longer than 3 spacings", with_commas(mesh.long_edges));
-  }
-  if (self_intersections > 0) {
-    text += fmt::format(", {} self-intersections", with_commas(self_intersections));
-  }
+  text += counted(mesh.nonmanifold_edges, "non-manifold edge", "non-manifold edges");
+  text += counted(mesh.nonmanifold_vertices, "non-manifold vertex", "non-manifold vertices");
+  text += counted(mesh.uv_flips, "triangle turned over in the map", "triangles turned over in the map");
+  text += counted(mesh.long_edges, "edge longer than 3 spacings", "edges longer than 3 spacings");
+  text += counted(report.self_intersections, "self-intersection", "self-intersections",
+                  report.more_self_intersections);
   return line("mesh", text);
+}
+
+std::string map_line(const Report& report) {
+  std::size_t mapped = 0;
+  for (const ComponentSummary& component : report.components) mapped += component.map != Domain::None;
+  if (!report.components.empty() && mapped == 0) return line("map", "none");
+  std::string text =
+      fmt::format("{} unknowns, residual {:.1e}", with_commas(report.map.unknowns), report.map.residual);
+  if (mapped < report.components.size())
+    text += fmt::format(", of {} of {} components", mapped, report.components.size());
+  return line("map", text);
 }
 
 std::string holes_line(const HoleSummary& holes) {
@@ -73,21 +90,21 @@ std::string distortion_line(const DistortionSummary& d) {
                                         d.angle_mean, d.stretch_l2, d.stretch_linf));
 }
 
+// Those that are suspect or failed are told by the warnings.
 std::string component_lines(const std::vector<ComponentSummary>& components) {
-  std::size_t meshed = 0, listed = 0;
-  std::string text;
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    const ComponentSummary& component = components[i];
-    meshed += component.failure.empty();
-    if ((component.failure.empty() && !component.suspect) || listed++ >= most_loops_listed) continue;
-    const std::string what =
-        component.failure.empty()
-            ? fmt::format("suspect: {} edges are overlong or folded", component.bad_edges)
-            : "not meshed: " + component.failure;
-    text += line("", fmt::format("{}: {} points, {}", i, with_commas(component.points), what));
-  }
-  if (components.size() == 1 && text.empty()) return "";
-  return line("components", fmt::format("{}, {} meshed", components.size(), meshed)) + text;
+  std::size_t meshed = 0;
+  for (const ComponentSummary& component : components) meshed += component.failure.empty();
+  if (components.size() == 1 && meshed == 1) return "";
+  return line("components", fmt::format("{}, {} meshed", components.size(), meshed));
+}
+
+std::string left_out_line(const std::vector<LeftOut>& parts) {
+  if (parts.empty()) return "";
+  const LeftOut& most = parts.front();
+  return line("left out",
+              fmt::format("{} {}; the largest of {} points near {:.6g} {:.6g} {:.6g}: {}", parts.size(),
+                          parts.size() == 1 ? "group" : "groups", with_commas(most.ids.size()), most.low.x,
+                          most.low.y, most.low.z, most.cause));
 }
 
 }  // namespace
@@ -106,17 +123,15 @@ std::string summary(const Report& report, const std::string& files, double secon
                                       report.spacing.least, report.spacing.most));
   text += line("candidates", with_commas(report.candidates));
   text += loop_lines(report.loops);
-  if (report.has_map) {
-    text += line("map", fmt::format("{} unknowns, residual {:.1e}", with_commas(report.map.unknowns),
-                                    report.map.residual));
-  }
+  if (report.has_map) text += map_line(report);
   if (report.has_mesh) {
-    text += mesh_lines(report.mesh, report.self_intersections);
+    text += mesh_lines(report);
     text += distortion_line(report.distortion);
   }
   if (report.holes && !report.holes->filled.empty()) text += holes_line(*report.holes);
   if (report.reference) text += reference_line(*report.reference);
   if (!report.components.empty()) text += component_lines(report.components);
+  text += left_out_line(report.left_out);
   for (const std::string& warning : report.warnings) text += line("warning", warning);
   if (!files.empty()) text += line("wrote", files);
   return text + line("seconds", fmt::format("{:.2f}", seconds));

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "random.h"
+#include "base/random.h"
 
 namespace rimline::bench {
 namespace {

@@ -10,7 +10,7 @@
 #include <map>
 #include <sstream>
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "quality/hard_clouds.h"
 #include "quality/pages.h"
 #include "quality/ply_faces.h"

@@ -7,7 +7,7 @@
 
 #include "quality/edge_set.h"
 #include "quality/fans.h"
-#include "union_find.h"
+#include "base/union_find.h"
 
 namespace rimline::bench {
 namespace {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -40,9 +42,11 @@ Distortion measure_distortion(Points points, const std::vector<Triangle>& triang
 
 // Pairs of triangles that meet in more than the vertex or edge they share, with exact predicates, as
 // positions in `triangles`, ascending. Triangles of no area take no part. About 0.5 microseconds a triangle.
-std::vector<std::array<Index, 2>> find_self_intersections(Points points,
-                                                          const std::vector<Triangle>& triangles,
-                                                          const Run& run);
+// At most `most` of them: on a surface in shreds there are more pairs than anybody asks for. Which ones does
+// not depend on the number of threads.
+std::vector<std::array<Index, 2>> find_self_intersections(
+    Points points, const std::vector<Triangle>& triangles, const Run& run,
+    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 // Distances from the places of DistanceSummary on each triangle to the nearest point of a mesh.
 class SurfaceDistance {

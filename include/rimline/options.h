@@ -76,9 +76,10 @@ enum class Domain {
   Square,     // the unit square; its sides bulge by a thousandth, so that no triangle there is flat
   Rectangle,  // of width 1, its height from the lengths of the loop's sides; bulging likewise
   Free,       // least squares conformal with a free outline, at the scale of the surface
+  None,       // no map at all: u and v are NaN
 };
 
-// "disc", "square", "rectangle", "free".
+// "disc", "square", "rectangle", "free", "none".
 const char* name(Domain domain);
 
 // Section 5: from the loop to the plane.
@@ -106,13 +107,23 @@ std::string name(const HolePolicy& holes);
 // The reverse. Throws BadOption with what is allowed.
 HolePolicy parse_holes(std::string_view text);
 
+// What becomes of handles that are a few spacings long: noise, not shape. [ours]
+enum class HandlePolicy {
+  Repair,  // cut or closed where that changes few triangles
+  Keep,
+};
+
+// "repair", "keep".
+const char* name(HandlePolicy handles);
+
 // Section 5: from the plane to the mesh.
 struct MeshOptions {
-  HolePolicy holes;            // the paper's presets fill every hole through the map
-  bool fill_points = false;    // new vertices where holes are filled, at the spacing of the rim [ours]
-  Point up = {0, 0, 1};        // the mesh faces this way on average, where the input has no normals
-  int refine_rounds = 4;       // most times the mesh is triangulated anew from its map [ours]
-  bool allow_partial = false;  // mesh the other components where one can not be meshed [ours]
+  HolePolicy holes;          // the paper's presets fill every hole through the map
+  bool fill_points = false;  // new vertices where holes are filled, at the spacing of the rim [ours]
+  Point up = {0, 0, 1};      // the mesh faces this way on average, where the input has no normals
+  int refine_rounds = 4;     // most times the mesh is triangulated anew from its map [ours]
+  HandlePolicy handles = HandlePolicy::Repair;
+  bool strict = false;  // a component that can not be meshed is an error, the others being no result [ours]
 };
 
 struct Options {
@@ -178,15 +189,17 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
   field("rim_generations", o.boundary_loops.rim_generations, 0, 1'000'000,
         "most generations of a group; 0 decides each candidate by its size alone [ours]");
   field("domain", o.map.domain, Domain::Disc, Domain::Disc,
-        "where a patch is mapped to: free is least squares conformal at real scale [ours]");
+        "where a patch is mapped to: free is least squares conformal at real scale, none no map [ours]");
   field("map_k", o.map.map_k, 3, 1000, "neighbours per interior point in eq. (4) [ours]");
   field("residual", o.map.residual, 1e-15, 1e-2, "relative residual of the solve of eq. (4)");
   field("refine_rounds", o.mesh.refine_rounds, 1, 100,
         "most times the mesh is triangulated anew from its map [ours]");
   field("fill_points", o.mesh.fill_points, false, true,
         "give holes that are filled vertices of their own, at the spacing of their rims [ours]");
-  field("allow_partial", o.mesh.allow_partial, false, true,
-        "mesh the other components where one can not be meshed [ours]");
+  field("handles", o.mesh.handles, HandlePolicy::Repair, HandlePolicy::Repair,
+        "short handles are noise: repair cuts or closes them where that changes few triangles [ours]");
+  field("strict", o.mesh.strict, false, true,
+        "end with status 3 where a component can not be meshed, in place of the others [ours]");
 }
 
 }  // namespace rimline

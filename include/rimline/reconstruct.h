@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "rimline/find_boundary.h"
@@ -21,7 +22,15 @@ struct ReconstructResult {
   Distortion distortion;             // per triangle, and per point and added one
 };
 
-// The whole method. Throws as parameterize does.
+// Thrown where no triangle can be given, or not all under MeshOptions::strict: what was found nonetheless.
+class NoMesh : public Error {
+ public:
+  NoMesh(const Error& reason, BoundaryResult result) : Error(reason), found(std::move(result)) {}
+  BoundaryResult found;
+};
+
+// The whole method. Throws as find_boundary does, and NoMesh, with the code of the reason, once points are
+// scored. A component that can not be meshed is in the report, and an error under MeshOptions::strict alone.
 ReconstructResult reconstruct(Points points, const Options& options, const Run& run, const Given& given = {});
 
 }  // namespace rimline

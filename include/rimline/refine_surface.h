@@ -25,9 +25,9 @@ struct RefineOptions {
   double suspect_share = 0.05;  // of bad edges, above which a patch is reported as suspect [ours]
   bool leave_beside = false;    // leave out points that are on no triangle of the surface and lie beside it:
                                 // a range scanner's at depth jumps [ours]
-  bool allow_partial = false;   // keep the other patches where one can not be meshed
-  HolePolicy holes;             // which holes are closed by triangles
-  bool fill_points = false;     // and whether these get vertices of their own
+  HandlePolicy handles = HandlePolicy::Repair;
+  HolePolicy holes;          // which holes are closed by triangles
+  bool fill_points = false;  // and whether these get vertices of their own
 };
 
 // A hole that was closed, or that should have been and could not.
@@ -54,50 +54,57 @@ struct Patch {
   std::vector<Point> added;         // vertices of the fills; their ids follow those of the points
   std::vector<RefineRound> rounds;
   Domain domain = Domain::Disc;  // where uv lies: the disc, scaled to the surface's area, where no free map
-                                 // without flips was found, the disc's having some itself
+                                 // without flips was found, the disc's having some itself; None: uv is NaN
   MapSummary map;                // the last system
   std::size_t uv_flips = 0;      // triangles not counter-clockwise in uv: 0 but for maps that double
                                  // precision can not hold
   std::size_t evened = 0;        // points whose weights were drawn towards equal ones to avoid flips
 };
 
-// Meshes the component that the loops bound: the first is the outer one, the others holes, the surface on
-// the left of each. All points must belong to it. Throws UnreachableInterior, NotADisc, NoConvergence,
-// Cancelled.
+// Meshes the disc with holes that the loops bound: the first is the outer one, the others holes, the surface
+// on the left of each; they must be disjoint. All points must belong to it. Throws UnreachableInterior,
+// NotADisc, NoConvergence, Cancelled.
 Patch refine_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                    const RefineOptions& options, const Run& run);
 
-// One patch of a surface, or why it could not be meshed.
+// One component of a surface, or why it could not be meshed.
 struct PatchReport {
   std::size_t points = 0, triangles = 0, loops = 0;
+  bool orientable = true;
+  int genus = 0;  // handles; of a one-sided component the number of cross-caps
+  std::vector<HandleRepair> repairs;
   std::vector<RefineRound> rounds;
-  Domain domain = Domain::Disc;
+  Domain domain = Domain::Disc;  // what its map became; None where it has none
   MapSummary map;
   std::size_t uv_flips = 0, evened = 0;
   double bad_share = 0;  // of the inner edges: longer than 3 spacings or folded beyond 120 degrees
   bool suspect =
       false;  // bad_share above RefineOptions::suspect_share: it folds over itself, or a loop is wrong
   std::vector<HoleFill> fills;
-  std::string failure;  // empty where it was meshed
+  std::string failure;     // empty where it was meshed
+  std::vector<Index> ids;  // its points, where it was not
 };
 
-// Any number of patches, meshed one by one.
+// Any number of components of any topology, meshed one by one: a manifold.
 struct Surface {
   std::vector<Triangle> triangles;    // patch after patch
   std::vector<Index> triangle_patch;  // of each triangle
   std::vector<char> filled;           // per triangle, 1 where it closes a hole
   std::vector<Point> added;           // vertices of such triangles; their ids follow those of the points
   std::vector<UV> uv;  // one per point and added one; NaN for those of no patch. Patches lie side by side
-  std::vector<Index> patch;  // of each of these, or `none`; of a point that two patches share, the last
+  std::vector<Index> patch;  // of each of these, or `none`
   std::vector<PatchReport> patches;
-  std::vector<Index> left_out;  // points that hang together with no loop or lie beside the surface, ascending
+  std::vector<Loop> loops;  // what the mesh ends at, holes that were filled among them; Loop::component is
+                            // the patch
+  std::vector<Index> left_out;  // points in no triangle, ascending
 };
 
-// Tells which points and loops belong together and meshes each patch. Where options.allow_partial is set, a
-// patch that fails is reported and the others stay; else it throws as refine_patch does, with the ids of
-// `points`. Throws NoClosedLoop where there are no loops.
-// `surface_triangles` may be empty; triangles that the loops bound (BoundaryLoops::triangles, gaps and all)
-// tell parts that are close to each other apart more surely than the points alone.
+// Tells which points and loops belong together and meshes each component: discs with holes with their map,
+// any other - closed, with handles, one-sided - as the manifold that its triangles make, without one. Loops
+// that touch each other or themselves are parted, so that Surface::loops may differ from `loops` there. A
+// component that can not be meshed has a failure. Throws BadOption for corners that are not on one outer
+// loop. `surface_triangles` are triangles that the loops bound (BoundaryLoops::triangles, gaps and all);
+// where they are empty, those that the points' cells agree on stand in for them.
 Surface refine_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                        const std::vector<Triangle>& surface_triangles, const RefineOptions& options,
                        const Run& run);

@@ -22,7 +22,8 @@ struct PointCounts {
   std::size_t not_finite = 0;  // a coordinate is NaN or infinite
   std::size_t duplicates = 0;  // the same coordinates as a point with a lower id
   std::size_t stray = 0;       // in a group of fewer than ten points, apart from all others
-  std::size_t unmeshed = 0;    // used, but in a component that was not meshed, or beside a range scan
+  std::size_t unmeshed = 0;    // used, but in no triangle: in a component that was not meshed, a scrap, or
+                               // off the surface
 };
 
 // Distances between neighbours, in the unit of the input: over all used points, of local_spacing().
@@ -127,9 +128,23 @@ struct ReferenceSummary {
   std::optional<double> edges_agree;  // F1 of the two sets of edges; where the vertices are the same
 };
 
+// A handle that was noise, and what it was mended by.
+struct HandleRepair {
+  std::vector<Index> points;  // of the short closed curve along which it was cut, in order
+  Point place;                // their mean
+  double length = 0;          // of the curve, in the unit of the input
+  std::size_t removed = 0;    // triangles
+  std::size_t added = 0;      // triangles
+};
+
 // A component of the surface, as the loops bound it.
 struct ComponentSummary {
   std::size_t points = 0, triangles = 0, loops = 0;
+  Domain map = Domain::None;  // what its map became
+  bool orientable = true;
+  int genus = 0;  // handles; of a one-sided component the number of cross-caps
+  std::vector<HandleRepair> repairs;
+  Point low, high;            // the box of its points
   std::size_t bad_edges = 0;  // inner edges longer than 3 spacings or folded beyond 120 degrees
   double bad_share = 0;       // of the inner edges
   bool suspect = false;       // so many of these that it folds over itself, or a loop is wrong
@@ -138,6 +153,14 @@ struct ComponentSummary {
   DistortionSummary distortion;
   std::size_t self_intersections = 0;           // pairs of which either triangle is its
   std::optional<DistanceSummary> to_reference;  // where there is one
+};
+
+// Points that hang together and are in no triangle.
+struct LeftOut {
+  Index component = none;  // that could not be meshed, or none
+  std::vector<Index> ids;  // ascending
+  Point low, high;         // their box
+  std::string cause, remedy;
 };
 
 // What a stage took.
@@ -163,10 +186,13 @@ struct Report {
   MeshSummary mesh;
   DistortionSummary distortion;
   std::size_t self_intersections =
-      0;                             // pairs of triangles that meet in more than a vertex or edge they share
-  std::optional<HoleSummary> holes;  // preset `default`
+      0;  // pairs of triangles that meet in more than a vertex or edge they share
+  bool more_self_intersections = false;  // counting stopped at this number
+  std::optional<HoleSummary> holes;      // preset `default`
   std::optional<ReferenceSummary> reference;
   std::vector<ComponentSummary> components;  // preset `default`, of the mesh
+  std::vector<LeftOut> left_out;             // preset `default`, the largest first
+  double longest_edge = 0;                   // of the mesh, over the median spacing
   std::vector<std::string> warnings;         // one sentence each, for people
 
   int threads = 0;

@@ -78,7 +78,7 @@ enum class ErrorCode {
   TooFewPoints,         // 3: fewer points than the stage needs
   NoClosedLoop,         // 3: no closed loop was found, or the surface is closed
   UnreachableInterior,  // 3: interior points without a chain of neighbours to the loop: eq. (4) is singular
-  NotADisc,             // 3: a component is closed, has a handle, or is not orientable
+  NotADisc,             // 3: a patch is closed, has a handle, or is one-sided, where the stage needs a disc
   NoConvergence,        // 3: the linear solve did not reach its residual
   OutOfMemory,          // 4: the memory, or the limit set on it, does not suffice
   CannotWrite,          // 4: the output can not be written

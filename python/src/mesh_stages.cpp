@@ -55,7 +55,7 @@ RefineOptions refine_options(const Options& options, bool leave_beside) {
           .rounds = options.mesh.refine_rounds,
           .residual = options.map.residual,
           .leave_beside = leave_beside,
-          .allow_partial = options.mesh.allow_partial,
+          .handles = options.mesh.handles,
           .holes = options.mesh.holes,
           .fill_points = options.mesh.fill_points};
 }

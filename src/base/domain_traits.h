@@ -26,6 +26,7 @@ constexpr DomainTraits traits(Domain domain) {
     case Domain::Square: return {.outline = Outline::Box, .square = true};
     case Domain::Rectangle: return {.outline = Outline::Box};
     case Domain::Free: return {.outline = Outline::Circle, .released = true};
+    case Domain::None: return {};
   }
   return {};  // no value of the enumeration
 }

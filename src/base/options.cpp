@@ -36,6 +36,15 @@ const char* name(Domain domain) {
     case Domain::Square: return "square";
     case Domain::Rectangle: return "rectangle";
     case Domain::Free: return "free";
+    case Domain::None: return "none";
+  }
+  return "?";
+}
+
+const char* name(HandlePolicy handles) {
+  switch (handles) {
+    case HandlePolicy::Repair: return "repair";
+    case HandlePolicy::Keep: return "keep";
   }
   return "?";
 }

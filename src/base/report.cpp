@@ -133,11 +133,65 @@ Json reference_json(const ReferenceSummary& reference) {
   return json;
 }
 
+Json point_json(Point p) { return {p.x, p.y, p.z}; }
+
+// "disc", "disc with 2 holes", "closed", "one-sided", "with 3 handles and 2 loops".
+std::string shape_of(const ComponentSummary& c) {
+  if (c.triangles == 0) return "none";
+  if (!c.orientable) return "one-sided";
+  const std::string handles =
+      c.genus == 0 ? "" : std::to_string(c.genus) + (c.genus == 1 ? " handle" : " handles");
+  if (c.loops == 0) return handles.empty() ? "closed" : "closed, with " + handles;
+  if (!handles.empty()) return "with " + handles;
+  if (c.loops == 1) return "disc";
+  return "disc with " + std::to_string(c.loops - 1) + (c.loops == 2 ? " hole" : " holes");
+}
+
+Json repairs_json(const std::vector<HandleRepair>& repairs) {
+  Json json = Json::array();
+  for (const HandleRepair& repair : repairs) {
+    json.push_back({{"points", repair.points},
+                    {"place", point_json(repair.place)},
+                    {"length", repair.length},
+                    {"triangles_removed", repair.removed},
+                    {"triangles_added", repair.added}});
+  }
+  return json;
+}
+
+Json left_out_json(const std::vector<LeftOut>& parts) {
+  Json json = Json::array();
+  for (const LeftOut& part : parts) {
+    Json one = {{"points", part.ids.size()},
+                {"ids", part.ids},
+                {"box", {point_json(part.low), point_json(part.high)}},
+                {"cause", part.cause},
+                {"try", part.remedy}};
+    if (part.component != none) one["component"] = part.component;
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
+// Of each component; one that the paper's presets make is a disc.
+Json kinds_json(const Report& report) {
+  if (report.components.empty()) return {name(report.options.map.domain)};
+  Json json = Json::array();
+  for (const ComponentSummary& c : report.components) json.push_back(name(c.map));
+  return json;
+}
+
 Json components_json(const std::vector<ComponentSummary>& components) {
   Json json = Json::array();
   for (const ComponentSummary& c : components) {
     Json one = {{"points", c.points},       {"triangles", c.triangles},      {"loops", c.loops},
                 {"bad_edges", c.bad_edges}, {"bad_edge_share", c.bad_share}, {"suspect", c.suspect}};
+    one["map"] = {{"kind", name(c.map)}};
+    one["orientable"] = c.orientable;
+    one[c.orientable ? "handles" : "cross_caps"] = c.genus;
+    one["shape"] = shape_of(c);
+    one["box"] = {point_json(c.low), point_json(c.high)};
+    if (!c.repairs.empty()) one["repairs"] = repairs_json(c.repairs);
     if (!c.failure.empty()) one["failure"] = c.failure;
     if (c.mesh.triangles > 0) {
       one["mesh"] = mesh_json(c.mesh);
@@ -188,18 +242,22 @@ std::string to_json(const Report& report) {
   json["loops"] = loops_json(report.loops);
   json["search"] = search_json(report.options, report.search);
   if (report.has_map) {
-    json["map"] = {{"unknowns", report.map.unknowns},
+    json["map"] = {{"kind", kinds_json(report)},
+                   {"unknowns", report.map.unknowns},
                    {"iterations", report.map.iterations},
                    {"residual", report.map.residual}};
   }
   if (report.has_mesh) {
     json["mesh"] = mesh_json(report.mesh);
     json["mesh"]["self_intersections"] = report.self_intersections;
+    json["mesh"]["more_self_intersections"] = report.more_self_intersections;
+    json["mesh"]["longest_edge_over_median_spacing"] = report.longest_edge;
     json["distortion"] = distortion_json(report.distortion);
   }
   if (report.holes) json["holes"] = holes_json(report.options, *report.holes);
   if (report.reference) json["reference"] = reference_json(*report.reference);
   if (!report.components.empty()) json["components"] = components_json(report.components);
+  if (!report.left_out.empty()) json["left_out"] = left_out_json(report.left_out);
   json["warnings"] = report.warnings;
   json["run"] = run_json(report);
   // Names of files need not be UTF-8.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -10,9 +12,25 @@
 namespace rimline::io {
 namespace {
 
+// Triangles without a place in the map: of components that are no disc with holes, or where none was made.
+std::size_t count_unmapped(const Cloud& cloud, const Triangles& triangles) {
+  const Column* u = cloud.find("u");
+  if (u == nullptr || u->type != Scalar::Float64) return 0;
+  return static_cast<std::size_t>(std::ranges::count_if(
+      triangles, [&](const auto& t) { return std::isnan(u->value(static_cast<std::size_t>(t[0]))); }));
+}
+
+// Said in the file itself: what reads it may take NaN for a fault.
+std::string comment_on_map(const Cloud& cloud, const Triangles* triangles) {
+  const std::size_t unmapped = triangles == nullptr ? 0 : count_unmapped(cloud, *triangles);
+  if (unmapped == 0) return "";
+  return "\ncomment u and v are nan where a component has no map: " + std::to_string(unmapped) + " of " +
+         std::to_string(triangles->size()) + " triangles";
+}
+
 std::string header(const Cloud& cloud, const Triangles* triangles, const std::vector<Column>& face_columns) {
-  std::string text =
-      "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(cloud.points.size());
+  std::string text = "ply\nformat binary_little_endian 1.0" + comment_on_map(cloud, triangles) +
+                     "\nelement vertex " + std::to_string(cloud.points.size());
   for (const char* axis : {"x", "y", "z"}) {
     text.append("\nproperty ").append(name(cloud.coordinate_type)).append(" ").append(axis);
   }

@@ -71,6 +71,12 @@ void add(const TriangleMap& map, Sums& sums) {
   sums.stretch = std::max(sums.stretch, map.stretch);
 }
 
+// In place of a triangle that has no uv.
+constexpr TriangleMap unmapped{0, 0, std::numeric_limits<double>::quiet_NaN()};
+bool is_unmapped(const TriangleMap& map) { return std::isnan(map.angle) && map.area == 0; }
+
+bool has_place(UV p) { return std::isfinite(p.u) && std::isfinite(p.v); }
+
 void resize(Distortion::Values& values, std::size_t count, float value) {
   for (auto* list : {&values.angle, &values.area, &values.stretch, &values.max_stretch})
     list->assign(count, value);
@@ -119,7 +125,10 @@ Distortion measure_distortion(Points points, const std::vector<Triangle>& triang
   std::vector<TriangleMap> maps(triangles.size());
   parallel_for_each(triangles.size(), Stage::Measure, run, [&](Index t) {
     const auto& [a, b, c] = triangles[t];
-    maps[t] = map_of({points[a], points[b], points[c]}, {uv[a], uv[b], uv[c]});
+    if (has_place(uv[a]) && has_place(uv[b]) && has_place(uv[c]))
+      maps[t] = map_of({points[a], points[b], points[c]}, {uv[a], uv[b], uv[c]});
+    else
+      maps[t] = unmapped;
   });
   const auto component_of = [&](std::size_t t) { return component.empty() ? 0 : component[t]; };
   std::vector<Sums> parts(std::max<std::size_t>(component_count, 1));
@@ -132,6 +141,13 @@ Distortion measure_distortion(Points points, const std::vector<Triangle>& triang
   for (const Sums& part : parts) whole.area += part.area;
   resize(result.triangle, triangles.size(), 0);
   parallel_for_each(triangles.size(), Stage::Measure, run, [&](Index t) {
+    if (is_unmapped(maps[t])) {
+      constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+      for (auto* values : {&result.triangle.angle, &result.triangle.area, &result.triangle.stretch,
+                           &result.triangle.max_stretch})
+        (*values)[t] = nan;
+      return;
+    }
     const Sums& part = parts[component_of(t)];
     const double scale = part.uv_area > 0 ? std::sqrt(part.area / part.uv_area) : 1;
     result.triangle.stretch[t] = static_cast<float>(std::sqrt(maps[t].square) / scale);
@@ -141,6 +157,7 @@ Distortion measure_distortion(Points points, const std::vector<Triangle>& triang
     result.triangle.max_stretch[t] = static_cast<float>(maps[t].stretch);
   });
   for (std::size_t t = 0; t < maps.size(); ++t) {
+    if (is_unmapped(maps[t])) continue;
     add(maps[t], parts[component_of(t)]);
     add(maps[t], whole);
   }

@@ -58,7 +58,7 @@ bool plainly_apart(Points points, const Triangle& s, const Triangle& t) {
 // Pairs of the triangles of `group`, a node, with those after them in the tree's order. Goes down on both
 // sides at once, into the larger one first.
 void search_group(Points points, const std::vector<Triangle>& triangles, const TriangleTree& tree,
-                  Index group, std::vector<Pair>& found) {
+                  Index group, std::size_t most, std::vector<Pair>& found) {
   const auto& nodes = tree.nodes();
   const auto compare = [&](Index i, Index j) {
     const Index s = tree.order()[i], t = tree.order()[j];
@@ -67,7 +67,7 @@ void search_group(Points points, const std::vector<Triangle>& triangles, const T
   };
   std::vector<Index> within;
   std::vector<Pair> open = {{group, 0}};
-  while (!open.empty()) {
+  while (!open.empty() && found.size() < most) {
     const auto [a, b] = open.back();
     open.pop_back();
     const TriangleTree::Node &own = nodes[a], &other = nodes[b];
@@ -96,7 +96,7 @@ void search_group(Points points, const std::vector<Triangle>& triangles, const T
 }  // namespace
 
 std::vector<Pair> find_self_intersections(Points points, const std::vector<Triangle>& triangles,
-                                          const Run& run) {
+                                          const Run& run, std::size_t most) {
   const TriangleTree tree(points, triangles, run);
   // The nodes that hold as many triangles as one search starts from.
   constexpr Index group_size = 256;
@@ -113,13 +113,18 @@ std::vector<Pair> find_self_intersections(Points points, const std::vector<Trian
       open.insert(open.end(), {node.left, node.right});
     }
   }
-  std::vector<std::vector<Pair>> found(groups.size());
-  const auto search = [&](std::size_t first, std::size_t last) {
-    for (std::size_t g = first; g < last; ++g) search_group(points, triangles, tree, groups[g], found[g]);
-  };
-  parallel_slices(found.size(), Stage::Measure, run, search, 4);
+  constexpr std::size_t batch = 512;  // groups between two looks at how many there are
   std::vector<Pair> pairs;
-  for (const auto& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
+  for (std::size_t first = 0; first < groups.size() && pairs.size() < most; first += batch) {
+    std::vector<std::vector<Pair>> found(std::min(batch, groups.size() - first));
+    const auto search = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t g = begin; g < end; ++g)
+        search_group(points, triangles, tree, groups[first + g], most, found[g]);
+    };
+    parallel_slices(found.size(), Stage::Measure, run, search, 4);
+    for (const auto& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
+  }
+  if (pairs.size() > most) pairs.resize(most);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

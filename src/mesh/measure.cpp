@@ -13,78 +13,12 @@
 #include "base/union_find.h"
 #include "base/vec.h"
 #include "mesh/corner_angles.h"
+#include "mesh/corners.h"
 
 namespace rimline {
 namespace {
 
 Point in_space(UV p) { return {p.u, p.v, 0}; }
-
-// The corners of all triangles, vertex by vertex.
-struct Corners {
-  struct Corner {
-    Index next, previous;  // the triangle's other vertices
-  };
-  std::vector<Index> offsets;  // vertices + 1
-  std::vector<Corner> corners;
-
-  Corners(const std::vector<Triangle>& triangles, std::size_t points)
-      : offsets(points + 1, 0), corners(3 * triangles.size()) {
-    for (const Triangle& t : triangles) {
-      for (const Index v : t) ++offsets[v + 1];
-    }
-    for (std::size_t v = 0; v < points; ++v) offsets[v + 1] += offsets[v];
-    std::vector<Index> at(offsets.begin(), offsets.end() - 1);
-    for (const auto& [a, b, c] : triangles) {
-      corners[at[a]++] = {b, c};
-      corners[at[b]++] = {c, a};
-      corners[at[c]++] = {a, b};
-    }
-  }
-  std::span<const Corner> of(Index vertex) const {
-    return {corners.data() + offsets[vertex],
-            static_cast<std::size_t>(offsets[vertex + 1] - offsets[vertex])};
-  }
-};
-
-// One vertex with its edges, each with the corners it bounds.
-class Vertex {
- public:
-  // Calls edge(other end, triangles) for each edge, ascending by its other end. Returns into how many fans
-  // the triangles fall when they are joined across shared edges.
-  template <class VisitEdge>
-  std::size_t visit(std::span<const Corners::Corner> corners, const VisitEdge& edge) {
-    sides_.clear();
-    group_.resize(corners.size());
-    for (std::size_t c = 0; c < corners.size(); ++c) {
-      group_[c] = c;
-      sides_.push_back({corners[c].next, c});
-      sides_.push_back({corners[c].previous, c});
-    }
-    std::sort(sides_.begin(), sides_.end());
-    std::size_t fans = corners.size();
-    for (std::size_t i = 0, j = 0; i < sides_.size(); i = j) {
-      for (j = i + 1; j < sides_.size() && sides_[j].first == sides_[i].first; ++j)
-        fans -= join(sides_[i].second, sides_[j].second);
-      edge(sides_[i].first, j - i);
-    }
-    return fans;
-  }
-
- private:
-  std::size_t find(std::size_t c) {
-    while (group_[c] != c) c = group_[c] = group_[group_[c]];
-    return c;
-  }
-  bool join(std::size_t a, std::size_t b) {
-    a = find(a);
-    b = find(b);
-    group_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
-  std::vector<std::pair<Index, std::size_t>> sides_;  // other end, corner
-  std::vector<std::size_t> group_;                    // of each corner
-};
 
 // What a slice of the vertices adds to the summary.
 struct VertexCounts {
@@ -144,8 +78,10 @@ std::size_t count_joins(const std::vector<Triangle>& triangles, std::size_t poin
 struct TriangleSums {
   std::array<std::size_t, 12> min_angle_histogram{};
   double area = 0, distortion = 0;
-  std::size_t uv_flips = 0;
+  std::size_t uv_flips = 0, mapped = 0;
 };
+
+bool has_place(UV p) { return std::isfinite(p.u) && std::isfinite(p.v); }
 
 TriangleSums sum_slice(Points points, std::span<const Triangle> triangles, std::span<const UV> uv) {
   TriangleSums sums;
@@ -154,7 +90,8 @@ TriangleSums sum_slice(Points points, std::span<const Triangle> triangles, std::
     const double degrees = *std::min_element(angles.begin(), angles.end()) * 180 / std::numbers::pi;
     ++sums.min_angle_histogram[std::min(11, static_cast<int>(degrees / 5))];
     sums.area += 0.5 * norm(triangle_normal(points[a], points[b], points[c]));
-    if (uv.empty()) continue;
+    if (uv.empty() || !has_place(uv[a]) || !has_place(uv[b]) || !has_place(uv[c])) continue;
+    ++sums.mapped;
     const Point pa = in_space(uv[a]), pb = in_space(uv[b]), pc = in_space(uv[c]);
     sums.uv_flips += !(cross(pb - pa, pc - pa).z > 0);
     const auto flat = corner_angles(pa, pb, pc);
@@ -175,17 +112,19 @@ void measure_triangles(Points points, std::span<const Triangle> triangles, std::
         sum_slice(points, triangles.subspan(begin, std::min(slice_size, triangles.size() - begin)), uv);
   });
   double distortion = 0;
+  std::size_t mapped = 0;
   for (const TriangleSums& slice : slices) {
     for (std::size_t i = 0; i < slice.min_angle_histogram.size(); ++i)
       summary.min_angle_histogram[i] += slice.min_angle_histogram[i];
     summary.area += slice.area;
     summary.uv_flips += slice.uv_flips;
     distortion += slice.distortion;
+    mapped += slice.mapped;
   }
-  if (!uv.empty() && !triangles.empty()) {
-    summary.mean_angle_distortion = distortion / (3.0 * static_cast<double>(triangles.size()));
+  if (mapped > 0) {
+    summary.mean_angle_distortion = distortion / (3.0 * static_cast<double>(mapped));
     // A mesh that was turned to face `up` is mirrored in uv as a whole, which is no fold.
-    summary.uv_flips = std::min(summary.uv_flips, triangles.size() - summary.uv_flips);
+    summary.uv_flips = std::min(summary.uv_flips, mapped - summary.uv_flips);
   }
 }
 

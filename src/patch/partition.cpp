@@ -2,6 +2,7 @@
 #include "patch/partition.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -42,10 +43,27 @@ void join_mutual(const Stars& stars, const std::vector<Index>& loop_of, UnionFin
   }
 }
 
-std::vector<char> bounded_parts(const std::vector<Index>& loop_of, const std::vector<Loop>& loops,
+// Parts that close upon themselves: a closed surface of V points has 2 V triangles, an open one, with a rim
+// of 3.5 sqrt(V) points or more, as many fewer. Gaps may take half of that.
+std::vector<Index> closed_parts(const std::vector<Triangle>& triangles, const std::vector<Index>& loop_of,
                                 UnionFind& parts) {
+  constexpr double gaps = 1.75;
+  std::vector<Index> count(loop_of.size(), 0), found;
+  for (const Triangle& t : triangles) ++count[parts.find(t[0])];
+  for (Index v = 0; v < static_cast<Index>(loop_of.size()); ++v) {
+    if (parts.find(v) != v || count[v] == 0) continue;
+    const double points = parts.size_of(v);
+    if (2 * points - count[v] <= gaps * std::sqrt(points)) found.push_back(v);
+  }
+  return found;
+}
+
+// By the first of each part: those with a loop, and those that close upon themselves.
+std::vector<char> bounded_parts(const std::vector<Index>& loop_of, const std::vector<Loop>& loops,
+                                const std::vector<Triangle>& triangles, UnionFind& parts) {
   const Index n = static_cast<Index>(loop_of.size());
   std::vector<char> bounded(n, 0);
+  for (const Index part : closed_parts(triangles, loop_of, parts)) bounded[part] = 1;
   for (const Loop& loop : loops) {
     for (const Index v : loop.points) {
       if (v < n && loop_of[v] != shared) bounded[parts.find(v)] = 1;
@@ -54,8 +72,9 @@ std::vector<char> bounded_parts(const std::vector<Index>& loop_of, const std::ve
   return bounded;
 }
 
-bool any_loose(const std::vector<Index>& loop_of, const std::vector<Loop>& loops, UnionFind& parts) {
-  const std::vector<char> bounded = bounded_parts(loop_of, loops, parts);
+bool any_loose(const std::vector<Index>& loop_of, const std::vector<Loop>& loops,
+               const std::vector<Triangle>& triangles, UnionFind& parts) {
+  const std::vector<char> bounded = bounded_parts(loop_of, loops, triangles, parts);
   for (Index i = 0; i < static_cast<Index>(loop_of.size()); ++i) {
     if (loop_of[i] != shared && !bounded[parts.find(i)]) return true;
   }
@@ -65,11 +84,11 @@ bool any_loose(const std::vector<Index>& loop_of, const std::vector<Loop>& loops
 // Points connected to no loop whose cells name, or are named by, points that are. Where
 // `within` is given, all that belong together by it.
 void join_one_sided(const Stars& stars, const std::vector<Index>& loop_of, const std::vector<Loop>& loops,
-                    UnionFind* within, UnionFind& parts) {
+                    const std::vector<Triangle>& triangles, UnionFind* within, UnionFind& parts) {
   const Index n = static_cast<Index>(loop_of.size());
   for (bool again = true; again;) {
     again = false;
-    std::vector<char> bounded = bounded_parts(loop_of, loops, parts);
+    std::vector<char> bounded = bounded_parts(loop_of, loops, triangles, parts);
     for (Index i = 0; i < n; ++i) {
       if (loop_of[i] == shared) continue;
       for (const Index j : stars.of(i)) {
@@ -167,7 +186,7 @@ void join_by_sheets(const std::vector<Triangle>& triangles, const std::vector<Lo
   // A component without a loop joins the first one with a loop that it touches.
   for (bool again = true; again;) {
     again = false;
-    std::vector<char> bounded = bounded_parts(loop_of, loops, parts);
+    std::vector<char> bounded = bounded_parts(loop_of, loops, triangles, parts);
     for (const Triangle& t : triangles) {
       for (int c = 0; c < 3; ++c) {
         const Index v = t[c], w = t[next(c)];
@@ -208,13 +227,13 @@ Partition partition(Index n, const std::function<const Stars&()>& stars, const s
   if (surface.empty()) join_mutual(stars(), loop_of, parts);
   for (const Triangle& t : surface) join_along(t, loop_of, parts);
   for (const Loop& loop : outline.loops) join_along(loop.points, loop_of, parts);
-  if (any_loose(loop_of, outline.loops, parts))
-    join_one_sided(stars(), loop_of, outline.loops, nullptr, parts);
+  if (any_loose(loop_of, outline.loops, surface, parts))
+    join_one_sided(stars(), loop_of, outline.loops, surface, nullptr, parts);
   if (!surface.empty() && any_two_outer(outline.loops, loop_of, parts)) {
     UnionFind before = std::exchange(parts, UnionFind(n));
     join_by_sheets(surface, outline.loops, loop_of, parts);
-    if (any_loose(loop_of, outline.loops, parts))
-      join_one_sided(stars(), loop_of, outline.loops, &before, parts);
+    if (any_loose(loop_of, outline.loops, surface, parts))
+      join_one_sided(stars(), loop_of, outline.loops, surface, &before, parts);
   }
 
   Partition result;
@@ -247,6 +266,27 @@ Partition partition(Index n, const std::function<const Stars&()>& stars, const s
     make_local(outline, n, patch);
   }
   return result;
+}
+
+void leave_out(const std::vector<Index>& points, Partition& parts) {
+  for (PatchInput& patch : parts.patches) {
+    std::vector<Index> number(patch.points.size(), none), kept;
+    for (std::size_t i = 0; i < patch.points.size(); ++i) {
+      if (std::binary_search(points.begin(), points.end(), patch.points[i])) continue;
+      number[i] = static_cast<Index>(kept.size());
+      kept.push_back(patch.points[i]);
+    }
+    const auto before = static_cast<Index>(patch.points.size());
+    const Index gone = before - static_cast<Index>(kept.size());
+    for (Loop& loop : patch.outline.loops) {
+      for (Index& v : loop.points) v = v < before ? number[v] : v - gone;
+    }
+    for (Index& v : patch.outline.original) v = number[v];
+    patch.points = std::move(kept);
+  }
+  parts.left_out.insert(parts.left_out.end(), points.begin(), points.end());
+  std::sort(parts.left_out.begin(), parts.left_out.end());
+  parts.left_out.erase(std::unique(parts.left_out.begin(), parts.left_out.end()), parts.left_out.end());
 }
 
 }  // namespace rimline

@@ -15,6 +15,7 @@ namespace rimline {
 struct PatchInput {
   std::vector<Index> points;  // the id of each in the whole, ascending
   Separated outline;          // the outer loop first; copies follow the points
+  bool touches = false;       // loops or components of it meet in a point
 };
 
 struct Partition {
@@ -25,7 +26,11 @@ struct Partition {
 // Connected components. A triangle of `surface` joins its points. Without triangles, two points are joined if
 // each is in the cell of the other. Nothing is joined across a gap between loops, or where loops touch.
 // Points that no triangle joins to a loop are assigned by their cells; `stars` is called only for them.
+// A part without a loop that closes upon itself is left out whole.
 Partition partition(Index points, const std::function<const Stars&()>& stars, const std::vector<Loop>& loops,
                     const std::vector<Triangle>& surface);
+
+// Takes points, ascending and on no loop, out of the patches.
+void leave_out(const std::vector<Index>& points, Partition& parts);
 
 }  // namespace rimline

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// refine_patch() for those who know the points' cells already.
+// refine_patch() for those who have a first mesh, or know the points' cells already.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "local/voronoi_stars.h"
-#include "patch/pinches.h"
+#include "mesh/triangulation.h"
 #include "rimline/refine_surface.h"
 
 namespace rimline {
 
-// `outline` has ids of the points and, beyond them, of copies where it touches itself. `stars` may be null:
-// they are found where they are needed. `survey` may be empty: triangles of the patch that the loops were
-// found on, which serve as the first mesh where they can.
-Patch refine_patch(Points points, const Neighbours& neighbours, const Stars* stars, const Separated& outline,
-                   std::vector<Triangle> survey, const RefineOptions& options, const Run& run);
+// `first`: a disc with holes over all points that ends at the loops; where there is none, it is made of a
+// map. `stars` may be null: they are found where they are needed.
+Patch refine_patch(Points points, const Neighbours& neighbours, const Stars* stars,
+                   const std::vector<Loop>& loops, std::optional<Triangulation> first,
+                   const RefineOptions& options, const Run& run);
+
+// A mesh of any other topology: its edges are flipped in space where it can be oriented, its holes filled; it
+// gets no map. `loops` may be empty.
+Patch finish_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
+                   std::vector<Triangle> triangles, bool orientable, const RefineOptions& options,
+                   const Run& run);
 
 }  // namespace rimline

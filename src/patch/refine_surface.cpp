@@ -3,194 +3,58 @@
 
 #include <algorithm>
 #include <exception>
-#include <limits>
+#include <iterator>
 #include <map>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "base/parallel.h"
-#include "base/union_find.h"
+#include "patch/join_components.h"
+#include "patch/mesh_part.h"
 #include "patch/outliers.h"
 #include "patch/pack.h"
 #include "patch/partition.h"
-#include "patch/refine_patch.h"
 #include "patch/share_out.h"
+#include "patch/topology.h"
 
 namespace rimline {
 namespace {
 
-Patch refine_alone(Points points, const PatchInput& input, std::vector<Triangle> survey, int k,
-                   const RefineOptions& options, const Run& run) {
-  std::vector<Point> own;
-  own.reserve(input.points.size());
-  for (const Index i : input.points) own.push_back(points[i]);
-  const Neighbours neighbours = find_neighbours(own, k, run);
-  return refine_patch(own, neighbours, nullptr, input.outline, std::move(survey), options, run);
-}
-
-PatchReport report_on(const PatchInput& input, const Patch& patch, const RefineOptions& options) {
-  PatchReport report;
-  report.points = input.points.size();
-  report.triangles = patch.triangles.size();
-  report.loops = input.outline.loops.size();
-  report.rounds = patch.rounds;
-  report.map = patch.map;
-  report.uv_flips = patch.uv_flips;
-  report.evened = patch.evened;
-  report.domain = patch.domain;
-  report.fills = patch.fills;
-  for (HoleFill& fill : report.fills) {
-    for (Index& v : fill.rim) v = input.points[v];
-  }
-  std::size_t rim = 0, bad = std::numeric_limits<std::size_t>::max();
-  for (const Loop& loop : input.outline.loops) rim += loop.points.size();
-  for (const RefineRound& round : patch.rounds) bad = std::min(bad, round.bad_edges);
-  const double inner = (3.0 * static_cast<double>(patch.triangles.size()) - static_cast<double>(rim)) / 2;
-  report.bad_share = inner > 0 ? static_cast<double>(bad) / inner : 0;
-  report.suspect = report.bad_share > options.suspect_share;
-  return report;
-}
-
-// Adds the patch last reported to the whole, in its ids.
-void append(const PatchInput& input, const Patch& patch, Surface& surface) {
-  const Index at = static_cast<Index>(surface.patches.size()) - 1;
-  const auto own = static_cast<Index>(input.points.size());
-  const auto first_added = static_cast<Index>(surface.uv.size());
-  const auto whole = [&](Index v) { return v < own ? input.points[v] : first_added + (v - own); };
-  for (const Triangle& t : patch.triangles) {
-    surface.triangles.push_back({whole(t[0]), whole(t[1]), whole(t[2])});
-  }
-  for (Index i = 0; i < own; ++i) {
-    surface.uv[input.points[i]] = patch.uv[i];
-    surface.patch[input.points[i]] = at;
-  }
-  surface.added.insert(surface.added.end(), patch.added.begin(), patch.added.end());
-  surface.uv.insert(surface.uv.end(), patch.uv.begin() + own, patch.uv.end());
-  surface.patch.insert(surface.patch.end(), patch.added.size(), at);
-  surface.triangle_patch.resize(surface.triangles.size(), at);
-  std::size_t filled = 0;
-  for (const HoleFill& fill : patch.fills) filled += fill.triangles;
-  surface.filled.resize(surface.triangles.size() - filled, 0);
-  surface.filled.resize(surface.triangles.size(), 1);
-}
-
-// The options with given corners in ids of the patch; without them where they are of another.
-RefineOptions options_for(const PatchInput& input, const RefineOptions& options) {
-  RefineOptions own = options;
-  std::size_t found = 0;
-  for (Index& corner : own.corners) {
-    const auto at = std::lower_bound(input.points.begin(), input.points.end(), corner);
-    if (at == input.points.end() || *at != corner) continue;
-    corner = static_cast<Index>(at - input.points.begin());
-    ++found;
-  }
-  if (found == 0) own.corners.fill(none);
-  if (found > 0 && found < own.corners.size()) {
-    throw Error(ErrorCode::BadOption, "the corners are not on one outer loop",
-                {options.corners.begin(), options.corners.end()});
-  }
-  return own;
-}
-
-// Corners that lie in no patch would be passed over in silence.
-void check_corners(const std::vector<PatchInput>& patches, const RefineOptions& options) {
+// Corners that lie in no part would be passed over in silence.
+void check_corners(const std::vector<PatchInput>& parts, const RefineOptions& options) {
   if (options.corners[0] == none) return;
-  for (const PatchInput& input : patches) {
-    if (options_for(input, options).corners[0] != none) return;
+  for (const PatchInput& part : parts) {
+    for (const Index corner : options.corners) {
+      if (std::ranges::binary_search(part.points, corner)) return;
+    }
   }
   throw Error(ErrorCode::BadOption, "the corners are on no loop",
               {options.corners.begin(), options.corners.end()});
 }
 
-// Components that no loop bounds and that are closed. Scraps at a ragged rim are not: of
-// a patch of V points and B of them on its rim, which has about 3.5 sqrt(V) or more, the triangles number 2 V
-// - B - 2; a closed surface has 2 V. Those of fewer points than `least` tell too little.
-std::vector<std::vector<Index>> closed_parts(const std::vector<Index>& left_out, std::size_t points,
-                                             const std::vector<Triangle>& surface_triangles) {
-  constexpr std::size_t least = 100;
-  constexpr double closed = 1.8;  // triangles a point
-  std::vector<char> loose(points, 0);
-  for (const Index v : left_out) loose[v] = 1;
-  UnionFind parts(points);
-  std::vector<Index> triangles(points, 0);
-  const auto is_loose = [&](const Triangle& t) { return loose[t[0]] && loose[t[1]] && loose[t[2]]; };
-  for (const Triangle& t : surface_triangles) {
-    if (!is_loose(t)) continue;
-    parts.join(t[0], t[1]);
-    parts.join(t[1], t[2]);
-  }
-  for (const Triangle& t : surface_triangles) {
-    if (is_loose(t)) ++triangles[parts.find(t[0])];
-  }
-  std::map<Index, std::vector<Index>> members;  // by part
-  for (const Index v : left_out) members[parts.find(v)].push_back(v);
-  std::vector<std::vector<Index>> found;
-  for (auto& [part, ids] : members) {
-    if (ids.size() >= least && triangles[part] >= closed * static_cast<double>(ids.size()))
-      found.push_back(std::move(ids));
-  }
-  return found;
-}
-
-// A closed component is refused by name, or reported where the others are to be meshed nonetheless.
-void refuse_closed(const std::vector<Triangle>& surface_triangles, std::size_t points, bool allow_partial,
-                   Surface& surface) {
-  for (std::vector<Index>& ids : closed_parts(surface.left_out, points, surface_triangles)) {
-    const std::string message =
-        "a component of " + std::to_string(ids.size()) + " points is closed: it has no boundary to end at";
-    if (!allow_partial) throw Error(ErrorCode::NotADisc, message, std::move(ids));
-    surface.patches.push_back({});
-    surface.patches.back().points = ids.size();
-    surface.patches.back().failure = message;
-  }
-}
-
-// Takes the points given, ascending and on no loop, out of the patches.
-void leave_out(const std::vector<Index>& points, Partition& parts) {
-  for (PatchInput& patch : parts.patches) {
-    std::vector<Index> number(patch.points.size(), none), kept;
-    for (std::size_t i = 0; i < patch.points.size(); ++i) {
-      if (std::binary_search(points.begin(), points.end(), patch.points[i])) continue;
-      number[i] = static_cast<Index>(kept.size());
-      kept.push_back(patch.points[i]);
-    }
-    const auto before = static_cast<Index>(patch.points.size());
-    const Index gone = before - static_cast<Index>(kept.size());
-    for (Loop& loop : patch.outline.loops) {
-      for (Index& v : loop.points) v = v < before ? number[v] : v - gone;
-    }
-    for (Index& v : patch.outline.original) v = number[v];
-    patch.points = std::move(kept);
-  }
-  parts.left_out.insert(parts.left_out.end(), points.begin(), points.end());
-  std::sort(parts.left_out.begin(), parts.left_out.end());
-  parts.left_out.erase(std::unique(parts.left_out.begin(), parts.left_out.end()), parts.left_out.end());
-}
-
-// A patch, or what was thrown instead.
+// What was made of one part, or what was thrown instead.
 struct Meshed {
-  Patch patch;
+  std::vector<Component> components;
   std::exception_ptr failure;
 };
 
-// Calls mesh(p, run) for every patch. Large ones have all threads to themselves, one after the other; of
+// Calls mesh(p, run) for every part. Large ones have all threads to themselves, one after the other; of
 // small ones each thread has its own.
 template <class Mesh>
-std::vector<Meshed> mesh_all(const std::vector<PatchInput>& patches, const Mesh& mesh, const Run& run) {
-  constexpr std::size_t large = 20'000, batch = 64;  // points; patches between two looks at progress
-  std::vector<Meshed> meshed(patches.size());
+std::vector<Meshed> mesh_all(const std::vector<PatchInput>& parts, const Mesh& mesh, const Run& run) {
+  constexpr std::size_t large = 20'000, batch = 64;  // points; parts between two looks at progress
+  std::vector<Meshed> meshed(parts.size());
   const auto keep = [&](std::size_t p, const Run& own_run) {
     try {
-      meshed[p].patch = mesh(p, own_run);
+      meshed[p].components = mesh(p, own_run);
     } catch (...) {
       meshed[p].failure = std::current_exception();
     }
   };
   std::vector<std::size_t> small;
-  for (std::size_t p = 0; p < patches.size(); ++p) {
+  for (std::size_t p = 0; p < parts.size(); ++p) {
     run.check_cancel();
-    if (patches.size() == 1 || patches[p].points.size() >= large) {
+    if (parts.size() == 1 || parts[p].points.size() >= large) {
       keep(p, run);
     } else {
       small.push_back(p);
@@ -210,54 +74,88 @@ std::vector<Meshed> mesh_all(const std::vector<PatchInput>& patches, const Mesh&
   return meshed;
 }
 
-Surface mesh_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
-                     const std::vector<Triangle>& surface_triangles, const RefineOptions& options,
-                     const Run& run) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  std::optional<Stars> stars;
-  const auto find = [&]() -> const Stars& {
-    if (!stars) stars = find_stars(points, neighbours, {}, {}, run);
-    return *stars;
-  };
-  Partition parts = partition(static_cast<Index>(points.size()), find, loops, surface_triangles);
-  if (options.leave_beside) leave_out(points_beside(points, neighbours, loops, surface_triangles), parts);
-  Surface surface;
-  surface.uv.assign(points.size(), {nan, nan});
-  surface.patch.assign(points.size(), none);
-  surface.left_out = std::move(parts.left_out);
-  std::vector<std::vector<Triangle>> surveys = share_out(surface_triangles, points.size(), parts.patches);
-  check_corners(parts.patches, options);
-  const auto mesh = [&](std::size_t p, const Run& own_run) {
-    const PatchInput& input = parts.patches[p];
-    const RefineOptions own = options_for(input, options);
-    return input.points.size() == points.size()
-               ? refine_patch(points, neighbours, stars ? &*stars : nullptr, input.outline,
-                              std::move(surveys[p]), own, own_run)
-               : refine_alone(points, input, std::move(surveys[p]), neighbours.k, own, own_run);
-  };
-  std::vector<Meshed> meshed = mesh_all(parts.patches, mesh, run);
-  for (std::size_t p = 0; p < parts.patches.size(); ++p) {
-    const PatchInput& input = parts.patches[p];
-    try {
-      if (meshed[p].failure) std::rethrow_exception(meshed[p].failure);
-      surface.patches.push_back(report_on(input, meshed[p].patch, options));
-      append(input, meshed[p].patch, surface);
-      meshed[p] = {};
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::Cancelled || error.code() == ErrorCode::OutOfMemory) throw;
-      std::vector<Index> ids;
-      for (const Index i : error.ids()) ids.push_back(input.points[i]);
-      if (!options.allow_partial || error.code() == ErrorCode::BadOption)
-        throw Error(error.code(), error.what(), std::move(ids));
-      surface.patches.push_back({});
-      surface.patches.back().points = input.points.size();
-      surface.patches.back().loops = input.outline.loops.size();
-      surface.patches.back().failure = error.what();
-    }
+// Parts that share points, or whose loops pass a point twice, hang together in points alone: one part, whose
+// triangles tell which component has the point.
+void pool_touching(const std::vector<Loop>& loops, std::size_t points, std::vector<PatchInput>& parts) {
+  std::vector<int> count(points, 0);
+  for (const PatchInput& part : parts) {
+    for (const Index v : part.points) ++count[v];
   }
-  refuse_closed(surface_triangles, points.size(), options.allow_partial, surface);
-  pack_patches(surface.patch, surface.patches.size(), surface.uv);
-  return surface;
+  const auto touches = [&](const PatchInput& part) {
+    return !part.outline.original.empty() ||
+           std::ranges::any_of(part.points, [&](Index v) { return count[v] > 1; });
+  };
+  PatchInput pool;
+  for (const PatchInput& part : parts) {
+    if (touches(part)) pool.points.insert(pool.points.end(), part.points.begin(), part.points.end());
+  }
+  if (pool.points.empty()) return;
+  std::erase_if(parts, touches);
+  std::ranges::sort(pool.points);
+  pool.points.erase(std::unique(pool.points.begin(), pool.points.end()), pool.points.end());
+  for (Loop loop : loops) {
+    if (!std::ranges::binary_search(pool.points, loop.points.front())) continue;
+    for (Index& v : loop.points)
+      v = static_cast<Index>(std::ranges::lower_bound(pool.points, v) - pool.points.begin());
+    pool.outline.loops.push_back(std::move(loop));
+  }
+  pool.touches = true;
+  parts.push_back(std::move(pool));
+}
+
+// Points with triangles that hang together with no loop: closed surfaces, and what is left of open ones.
+PatchInput without_loops(const std::vector<Index>& left_out, const std::vector<Triangle>& triangles,
+                         std::size_t points) {
+  std::vector<char> loose(points, 0), used(points, 0);
+  for (const Index v : left_out) loose[v] = 1;
+  for (const Triangle& t : triangles) {
+    if (loose[t[0]] && loose[t[1]] && loose[t[2]]) used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  PatchInput part;
+  for (const Index v : left_out) {
+    if (used[v]) part.points.push_back(v);
+  }
+  return part;
+}
+
+// Loops that were given in their order, with what is known of them, then those that are new.
+std::vector<Loop> in_order_of(const std::vector<Loop>& given, std::vector<Loop> loops) {
+  std::map<std::vector<Index>, std::size_t> place;  // by the points, whichever comes first
+  const auto key = [](std::vector<Index> points) {
+    std::ranges::sort(points);
+    return points;
+  };
+  for (std::size_t l = 0; l < given.size(); ++l) place.emplace(key(given[l].points), l);
+  const auto rank = [&](const Loop& loop) {
+    const auto at = place.find(key(loop.points));
+    return at == place.end() ? given.size() : at->second;
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> order;
+  for (std::size_t l = 0; l < loops.size(); ++l) order.emplace_back(rank(loops[l]), l);
+  std::ranges::sort(order);
+  std::vector<Loop> sorted;
+  for (const auto& [at, l] : order) {
+    Loop& loop = sorted.emplace_back(std::move(loops[l]));
+    if (at == given.size()) continue;
+    loop.kind = given[at].kind;
+    loop.length = given[at].length;
+    loop.fitness = given[at].fitness;
+    loop.probability = given[at].probability;
+  }
+  return sorted;
+}
+
+// What is kept of a part that ended in an error.
+std::vector<Component> failed(const PatchInput& part, const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::Cancelled || error.code() == ErrorCode::OutOfMemory ||
+        error.code() == ErrorCode::BadOption)
+      throw;
+    Component component{part.points, {}, {}, true, 0, {}, error.what()};
+    return {std::move(component)};
+  }
 }
 
 }  // namespace
@@ -265,16 +163,38 @@ Surface mesh_surface(Points points, const Neighbours& neighbours, const std::vec
 Surface refine_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                        const std::vector<Triangle>& surface_triangles, const RefineOptions& options,
                        const Run& run) {
-  if (loops.empty()) throw Error(ErrorCode::NoClosedLoop, "there is no loop: nothing bounds the surface");
-  try {
-    return mesh_surface(points, neighbours, loops, surface_triangles, options, run);
-  } catch (const Error& error) {
-    // Without the outliers other points may no longer be connected to the surface.
-    if (!options.leave_beside || error.code() != ErrorCode::UnreachableInterior) throw;
+  std::optional<Stars> stars;
+  const auto find = [&]() -> const Stars& {
+    if (!stars) stars = find_stars(points, neighbours, {}, {}, run);
+    return *stars;
+  };
+  Partition whole = partition(static_cast<Index>(points.size()), find, loops, surface_triangles);
+  if (options.leave_beside) leave_out(points_beside(points, neighbours, loops, surface_triangles), whole);
+  std::vector<PatchInput>& parts = whole.patches;
+  check_corners(parts, options);
+  const std::vector<Triangle> agreed =
+      surface_triangles.empty() ? agreed_triangles(find()) : std::vector<Triangle>{};
+  const std::vector<Triangle>& triangles = surface_triangles.empty() ? agreed : surface_triangles;
+  pool_touching(loops, points.size(), parts);
+  // Loops without triangles were made by hand and say what the surface is.
+  if (!surface_triangles.empty() || loops.empty())
+    parts.push_back(without_loops(whole.left_out, triangles, points.size()));
+  if (!parts.empty() && parts.back().points.empty()) parts.pop_back();
+  const std::vector<std::vector<Triangle>> surveys = share_out(triangles, points.size(), parts);
+  const std::vector<double> spacing = local_spacing(points, neighbours, run);
+  const auto mesh = [&](std::size_t p, const Run& own_run) {
+    const PartTriangles own{surveys[p], !surface_triangles.empty()};
+    return mesh_part({points, neighbours, spacing}, parts[p], own, options, own_run);
+  };
+  std::vector<Meshed> meshed = mesh_all(parts, mesh, run);
+  std::vector<Component> components;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (meshed[p].failure) meshed[p].components = failed(parts[p], meshed[p].failure);
+    std::ranges::move(meshed[p].components, std::back_inserter(components));
   }
-  RefineOptions with_all = options;
-  with_all.leave_beside = false;
-  return mesh_surface(points, neighbours, loops, surface_triangles, with_all, run);
+  Surface surface = join_components(points.size(), std::move(components), options);
+  surface.loops = in_order_of(loops, std::move(surface.loops));
+  return surface;
 }
 
 }  // namespace rimline

@@ -21,21 +21,6 @@ bool has_corner(const Stars& stars, Index point, Index a, Index b) {
   return false;
 }
 
-// The triangles that all three corners name. At most two of them share an edge.
-std::vector<Triangle> agreed_triangles(const Stars& stars) {
-  std::vector<Triangle> triangles;
-  for (Index i = 0; i + 1 < static_cast<Index>(stars.offsets.size()); ++i) {
-    const std::span<const Index> star = stars.of(i);
-    for (std::size_t k = 0; k < star.size(); ++k) {
-      const Index a = star[k], b = star[next_in(k, star.size())];
-      if (i < a && i < b && a != b && has_corner(stars, a, i, b) && has_corner(stars, b, i, a)) {
-        triangles.push_back({i, a, b});
-      }
-    }
-  }
-  return triangles;
-}
-
 // Edges with their triangles, without regard to orientation.
 struct Side {
   Index a, b, triangle;  // a < b
@@ -112,6 +97,20 @@ bool is_orientable(Points points, const std::vector<Triangle>& triangles, const 
 }
 
 }  // namespace
+
+std::vector<Triangle> agreed_triangles(const Stars& stars) {
+  std::vector<Triangle> triangles;
+  for (Index i = 0; i + 1 < static_cast<Index>(stars.offsets.size()); ++i) {
+    const std::span<const Index> star = stars.of(i);
+    for (std::size_t k = 0; k < star.size(); ++k) {
+      const Index a = star[k], b = star[k + 1 < star.size() ? k + 1 : 0];
+      if (i < a && i < b && a != b && has_corner(stars, a, i, b) && has_corner(stars, b, i, a)) {
+        triangles.push_back({i, a, b});
+      }
+    }
+  }
+  return triangles;
+}
 
 Topology find_topology(Points points, const Stars& stars) {
   const Index n = static_cast<Index>(stars.offsets.size()) - 1;

@@ -2,7 +2,10 @@
 // What kind of surface the points lie on, told without a map: a map to the disc makes a disc of anything.
 #pragma once
 
+#include <vector>
+
 #include "local/voronoi_stars.h"
+#include "rimline/mesh.h"
 
 namespace rimline {
 
@@ -14,6 +17,9 @@ struct Topology {
   double coverage = 0;  // share of the points that the part has: near 0 it tells nothing
   Index triangles = 0;
 };
+
+// The triangles that all three corners name. At most two of them share an edge.
+std::vector<Triangle> agreed_triangles(const Stars& stars);
 
 Topology find_topology(Points points, const Stars& stars);
 

@@ -74,12 +74,4 @@ std::vector<PointLabel> label_boundary(std::vector<PointLabel> label, const std:
   return label;
 }
 
-void check_reached(const std::vector<Index>& left_out) {
-  if (left_out.empty()) return;
-  const std::string message = fmt::format(
-      "{} interior points have no chain of neighbours to a given loop; --allow-partial leaves them out",
-      left_out.size());
-  throw Error(ErrorCode::UnreachableInterior, message, left_out);
-}
-
 }  // namespace rimline::pipeline

@@ -22,8 +22,4 @@ std::vector<Loop> arrange_loops(std::vector<Loop> given, const PreparedPoints& p
 // The labels with the points of these loops, and no others, on the boundary.
 std::vector<PointLabel> label_boundary(std::vector<PointLabel> label, const std::vector<Loop>& loops);
 
-// Loops made by hand say what the surface is: points that none of them bounds are an error, not a remainder.
-// Throws UnreachableInterior with them.
-void check_reached(const std::vector<Index>& left_out);
-
 }  // namespace rimline::pipeline

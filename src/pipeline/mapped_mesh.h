@@ -24,7 +24,8 @@ struct MappedMesh {
   MapSummary map;
   std::vector<ComponentSummary> components;  // one per patch, or empty
   std::optional<HoleSummary> holes;
-  std::string unmeshed;  // why used points may be in no triangle: the end of a sentence
+  std::vector<LeftOut> left_out;  // in ids of the input
+  std::string unmeshed;           // why used points may be in no triangle: the end of a sentence
   std::vector<std::string> warnings;
 };
 

@@ -5,12 +5,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "base/vec.h"
 #include "pipeline/measure_reference.h"
+#include "pipeline/warnings.h"
 
 namespace rimline::pipeline {
 namespace {
+
+// Counting them takes longer than all else on a surface in shreds; nobody asks how many more there are.
+constexpr std::size_t most_self_intersections = 100'000;
 
 // One per vertex. Fills take theirs from their own edges: they have no neighbours in the sample.
 std::vector<double> spacing_of_vertices(std::vector<double> spacing, const MappedMesh& mesh) {
@@ -88,6 +95,37 @@ std::vector<std::size_t> count_intersections(const Pairs& pairs, const MappedMes
   return counts;
 }
 
+double longest_edge(const MappedMesh& mesh) {
+  double longest = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Point p = mesh.vertices[a], q = mesh.vertices[b], r = mesh.vertices[c];
+    longest = std::max({longest, squared_distance(p, q), squared_distance(q, r), squared_distance(r, p)});
+  }
+  return std::sqrt(longest);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// The boxes of the components, in the coordinates of the input.
+std::vector<std::pair<Point, Point>> boxes_of(const MappedMesh& mesh, Point origin) {
+  std::vector<std::pair<Point, Point>> boxes(mesh.components.size());
+  std::vector<char> begun(boxes.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size() && !boxes.empty(); ++t) {
+    auto& [low, high] = boxes[mesh.triangle_patch[t]];
+    for (const Index v : mesh.triangles[t]) {
+      const Point p = mesh.vertices[v] + origin;
+      if (!std::exchange(begun[mesh.triangle_patch[t]], 1)) low = high = p;
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+  }
+  return boxes;
+}
+
 std::vector<std::string> warn_of_unmeshed(std::size_t unmeshed, const MappedMesh& mesh) {
   if (unmeshed == 0) return {};
   return {fmt::format("{} points {}", unmeshed, mesh.unmeshed)};
@@ -104,14 +142,18 @@ Measures measure(const PreparedPoints& prepared, const MappedMesh& mesh, const R
   measures.distortion = measure_distortion(mesh.vertices, mesh.triangles, mesh.uv, mesh.triangle_patch,
                                            mesh.components.size(), run);
   const std::vector<MeshSummary> parts = measure_parts(mesh, spacing, measures.mesh, run);
-  const Pairs pairs = find_self_intersections(mesh.vertices, mesh.triangles, run);
+  const Pairs pairs = find_self_intersections(mesh.vertices, mesh.triangles, run, most_self_intersections);
   const std::vector<std::size_t> intersections = count_intersections(pairs, mesh);
+  const std::vector<std::pair<Point, Point>> boxes = boxes_of(mesh, prepared.arrangement.origin);
   const ReferenceMeasures distances = measure_reference(prepared, mesh, reference, run);
   measures.self_intersections = pairs.size();
+  measures.more_self_intersections = pairs.size() == most_self_intersections;
+  measures.longest_edge = longest_edge(mesh) / median(prepared.spacing);
   measures.components = mesh.components;
   for (std::size_t i = 0; i < measures.components.size(); ++i) {
     ComponentSummary& component = measures.components[i];
     component.mesh = parts[i];
+    std::tie(component.low, component.high) = boxes[i];
     component.distortion = measures.distortion.components[i];
     component.self_intersections = intersections[i];
     if (distances.whole) component.to_reference = distances.components[i];
@@ -119,6 +161,8 @@ Measures measure(const PreparedPoints& prepared, const MappedMesh& mesh, const R
   measures.reference = distances.whole;
   measures.unmeshed = mesh.vertices.size() - measures.mesh.points_used;
   measures.warnings = warn_of_unmeshed(measures.unmeshed, mesh);
+  for (std::string& warning : warn_of_long_edges(measures.longest_edge))
+    measures.warnings.push_back(std::move(warning));
   return measures;
 }
 

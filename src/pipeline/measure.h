@@ -17,6 +17,8 @@ struct Measures {
   Distortion distortion;                     // in ids of the arrangement
   std::vector<ComponentSummary> components;  // those of the mesh, each measured by itself
   std::size_t self_intersections = 0;
+  bool more_self_intersections = false;       // counting stopped at this number
+  double longest_edge = 0;                    // over the median spacing
   std::optional<ReferenceSummary> reference;  // where there is one
   std::size_t unmeshed = 0;                   // used points in no triangle
   std::vector<std::string> warnings;

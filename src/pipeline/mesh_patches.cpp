@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/mesh_patches.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cmath>
 
 #include "pipeline/filled_holes.h"
+#include "pipeline/final_check.h"
 #include "pipeline/given_loops.h"
+#include "pipeline/left_out.h"
 #include "pipeline/orientation.h"
+#include "pipeline/warnings.h"
 #include "rimline/refine_surface.h"
 
 namespace rimline::pipeline {
 namespace {
-
-void check_loops_bound_something(const std::vector<Loop>& loops) {
-  if (!loops.empty()) return;
-  throw Error(ErrorCode::NoClosedLoop,
-              "no boundary was found, so there is nothing to end the mesh at: the surface is closed, or its "
-              "boundary can not be told from the points");
-}
 
 // The corners of a square in ids of the arrangement.
 std::array<Index, 4> arranged_corners(std::array<Index, 4> corners, const std::vector<Index>& ids) {
@@ -36,7 +31,7 @@ RefineOptions refine_options(const Options& options, const PreparedPoints& prepa
   refine.domain = options.map.domain;
   refine.rounds = options.mesh.refine_rounds;
   refine.residual = options.map.residual;
-  refine.allow_partial = options.mesh.allow_partial;
+  refine.handles = options.mesh.handles;
   refine.leave_beside = range_scan;
   refine.holes = options.mesh.holes;
   refine.fill_points = options.mesh.fill_points;
@@ -46,6 +41,10 @@ RefineOptions refine_options(const Options& options, const PreparedPoints& prepa
 
 ComponentSummary summarize(const PatchReport& patch) {
   ComponentSummary summary;
+  summary.map = patch.domain;
+  summary.orientable = patch.orientable;
+  summary.genus = patch.genus;
+  summary.repairs = patch.repairs;
   summary.points = patch.points;
   summary.triangles = patch.triangles;
   summary.loops = patch.loops;
@@ -56,9 +55,21 @@ ComponentSummary summarize(const PatchReport& patch) {
   return summary;
 }
 
-std::vector<ComponentSummary> summarize_patches(const std::vector<PatchReport>& patches) {
+// In ids and coordinates of the input.
+HandleRepair repair_of_input(HandleRepair repair, const PreparedPoints& prepared) {
+  for (Index& v : repair.points) v = prepared.ids()[v];
+  repair.place = repair.place + prepared.arrangement.origin;
+  return repair;
+}
+
+std::vector<ComponentSummary> summarize_patches(const std::vector<PatchReport>& patches,
+                                                const PreparedPoints& prepared) {
   std::vector<ComponentSummary> components;
-  for (const PatchReport& patch : patches) components.push_back(summarize(patch));
+  for (const PatchReport& patch : patches) {
+    components.push_back(summarize(patch));
+    for (HandleRepair& repair : components.back().repairs)
+      repair = repair_of_input(std::move(repair), prepared);
+  }
   return components;
 }
 
@@ -73,39 +84,29 @@ MapSummary summarize_maps(const std::vector<PatchReport>& patches) {
   return all;
 }
 
-std::vector<std::string> warn_of_patches(const std::vector<PatchReport>& patches, Domain wanted) {
-  std::vector<std::string> warnings;
-  for (std::size_t at = 0; at < patches.size(); ++at) {
-    const PatchReport& patch = patches[at];
-    if (patch.suspect) {
-      warnings.push_back(fmt::format(
-          "component {} is suspect: {:.1f} % of its inner edges are longer than 3 spacings or folded beyond "
-          "120 degrees",
-          at, 100 * patch.bad_share));
-    }
-    if (patch.failure.empty() && patch.domain != wanted) {
-      warnings.push_back(
-          fmt::format("component {} has the disc's map, at the area of the surface: that map has triangles "
-                      "turned over already, from which no way leads to a free one",
-                      at));
-    }
-    if (!patch.failure.empty())
-      warnings.push_back(fmt::format("component {} was not meshed: {}", at, patch.failure));
-  }
-  return warnings;
-}
-
 std::string why_unmeshed(bool range_scan) {
-  return range_scan ? "hang together with no loop, or lie beside the surface that was scanned, and are in no "
-                      "triangle"
-                    : "hang together with no loop and are in no triangle";
+  return range_scan ? "lie beside the surface that was scanned, off it, or on a scrap, and are in no triangle"
+                    : "lie off the surface or on a scrap of it, and are in no triangle";
 }
 
-MappedMesh with_summaries(MappedMesh mesh, const std::vector<PatchReport>& patches, Domain wanted) {
+MappedMesh with_summaries(MappedMesh mesh, const PreparedPoints& prepared,
+                          const std::vector<PatchReport>& patches, Domain wanted) {
   mesh.map = summarize_maps(patches);
-  mesh.components = summarize_patches(patches);
-  mesh.warnings = warn_of_patches(patches, wanted);
+  mesh.components = summarize_patches(patches, prepared);
+  mesh.warnings = warn_of_components(patches, wanted);
   return mesh;
+}
+
+// Rims that no loop was found along have no fitness yet: eq. (3) on the log score -log(1 - p), as the
+// method's.
+std::vector<Loop> rated(std::vector<Loop> loops, const std::vector<float>& probability, double exponent) {
+  for (Loop& loop : loops) {
+    if (loop.fitness != 0 || probability.empty()) continue;
+    double sum = 0;
+    for (const Index v : loop.points) sum -= std::log1p(-std::min(0.999999, double{probability[v]}));
+    loop.fitness = sum / std::pow(static_cast<double>(loop.points.size()), exponent);
+  }
+  return loops;
 }
 
 }  // namespace
@@ -113,13 +114,9 @@ MappedMesh with_summaries(MappedMesh mesh, const std::vector<PatchReport>& patch
 MappedMesh mesh_patches(const PreparedPoints& prepared, const FoundLoops& found, const Options& options,
                         const Given& given, const Run& run, StageClock& clock) {
   clock.enter(Stage::Refine);
-  check_loops_bound_something(found.loops);
   const RefineOptions refine = refine_options(options, prepared, found.range_scan);
   Surface surface = with_ids_of_input(prepared, [&] {
-    Surface result =
-        refine_surface(prepared.points(), prepared.neighbours, found.loops, found.surface, refine, run);
-    if (!given.loops.empty() && !refine.allow_partial) check_reached(result.left_out);
-    return result;
+    return refine_surface(prepared.points(), prepared.neighbours, found.loops, found.surface, refine, run);
   });
   MappedMesh mesh;
   mesh.vertices = prepared.points();
@@ -129,12 +126,13 @@ MappedMesh mesh_patches(const PreparedPoints& prepared, const FoundLoops& found,
   mesh.triangles = std::move(surface.triangles);
   mesh.triangle_patch = std::move(surface.triangle_patch);
   mesh.filled = std::move(surface.filled);
-  mesh.loops = found.loops;
-  mesh.label = found.label;
+  mesh.loops = rated(std::move(surface.loops), found.probability, options.loops.length_exponent);
+  mesh.label = label_boundary(found.label, mesh.loops);
   mesh.unmeshed = why_unmeshed(found.range_scan);
-  mesh = with_summaries(std::move(mesh), surface.patches, refine.domain);
+  mesh.left_out = describe_left_out(prepared, surface);
+  mesh = with_summaries(std::move(mesh), prepared, surface.patches, refine.domain);
   mesh = orient_patches(std::move(mesh), arranged_normals(given, prepared), options.mesh.up, refine.domain);
-  return take_out_filled(std::move(mesh), surface.patches);
+  return checked(take_out_filled(std::move(mesh), surface.patches), run);
 }
 
 }  // namespace rimline::pipeline

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/domain_traits.h"
+#include "mesh/enclosure.h"
 #include "patch/pack.h"
 #include "rimline/delaunay.h"
 
@@ -63,6 +64,29 @@ MappedMesh orient_whole(MappedMesh mesh, std::vector<Point> normals, Point up) {
   return mirror(std::move(mesh), {1}, Domain::Disc);
 }
 
+namespace {
+
+// Turns the triangles of one patch the way that the input's normals say, else outward where it has an inside,
+// else up. Returns whether they were turned.
+bool orient_patch(const MappedMesh& mesh, Index patch, std::span<const Point> normals, Point up,
+                  std::vector<Triangle>& triangles) {
+  if (normals.empty()) {
+    std::vector<Loop> loops;
+    for (const Loop& loop : mesh.loops) {
+      if (mesh.patch[loop.points.front()] == patch) loops.push_back(loop);
+    }
+    const Side side = faced_side(mesh.vertices, triangles, loops);
+    if (side == Side::Outward) return false;
+    if (side == Side::Inward) {
+      for (Triangle& t : triangles) std::swap(t[1], t[2]);
+      return true;
+    }
+  }
+  return orient_mesh(mesh.vertices, triangles, normals, up);
+}
+
+}  // namespace
+
 MappedMesh orient_patches(MappedMesh mesh, std::vector<Point> normals, Point up, Domain domain) {
   if (!normals.empty()) normals.resize(mesh.vertices.size());  // vertices of fills have none of their own
   std::vector<char> turned(mesh.components.size(), 0);
@@ -72,7 +96,7 @@ MappedMesh orient_patches(MappedMesh mesh, std::vector<Point> normals, Point up,
     std::size_t end = begin;
     while (end < mesh.triangles.size() && mesh.triangle_patch[end] == patch) ++end;
     std::vector<Triangle> part(at(begin), at(end));
-    turned[patch] = orient_mesh(mesh.vertices, part, normals, up);
+    turned[patch] = mesh.components[patch].orientable && orient_patch(mesh, patch, normals, up, part);
     std::copy(part.begin(), part.end(), at(begin));
     begin = end;
   }

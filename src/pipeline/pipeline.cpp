@@ -2,6 +2,10 @@
 // The method on one screen.
 #include "rimline/pipeline.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/left_out.h"
 #include "pipeline/measure.h"
 #include "pipeline/method.h"
 #include "pipeline/prepare.h"
@@ -55,6 +59,8 @@ ParameterizeResult parameterize(Points points, const Options& options, const Run
   const BoundaryScores scores = score(prepared, options, run, clock);
   const FoundLoops found = method.find_loops(prepared, scores, options, given, run, clock);
   const MappedMesh map = method.map(prepared, found, options, given, run, clock);  // eq. (4)
+  if (std::ranges::all_of(map.uv, [](UV p) { return std::isnan(p.u); }))
+    throw Error(ErrorCode::NotADisc, "there is no map: no component is a disc with holes");
   clock.enter(Stage::Write);
   const Report report = add_map(report_boundary(prepared, scores, found, options, run), map);
   ParameterizeResult result;
@@ -76,6 +82,15 @@ ReconstructResult reconstruct(Points points, const Options& options, const Run& 
   const BoundaryScores scores = score(prepared, options, run, clock);
   const FoundLoops found = method.find_loops(prepared, scores, options, given, run, clock);
   const MappedMesh mesh = method.mesh(prepared, found, options, given, run, clock);  // eq. (4), Delaunay
+  if (const auto reason = why_no_mesh(mesh, options.mesh.strict)) {
+    clock.enter(Stage::Write);
+    Report report = add_map(report_boundary(prepared, scores, found, options, run), mesh);
+    report.warnings.push_back(reason->what());
+    BoundaryResult result = boundary_of_input(prepared, scores, found.probability, found.label, found.loops,
+                                              options.loops.score_form, run);
+    result.report = finish(report, result, run, clock);
+    throw NoMesh(*reason, std::move(result));
+  }
   Measures measures = measure(prepared, mesh, given.reference, run, clock);
   clock.enter(Stage::Write);
   const Report on_boundary = report_boundary(prepared, scores, found, options, run);

@@ -51,6 +51,7 @@ Report add_map(Report report, const MappedMesh& mesh) {
   report.map = mesh.map;
   report.components = mesh.components;
   report.holes = mesh.holes;
+  report.left_out = mesh.left_out;
   append(report.warnings, mesh.warnings);
   return report;
 }
@@ -61,6 +62,8 @@ Report add_measures(Report report, const Measures& measures) {
   report.distortion = measures.distortion.whole;
   report.components = measures.components;
   report.self_intersections = measures.self_intersections;
+  report.more_self_intersections = measures.more_self_intersections;
+  report.longest_edge = measures.longest_edge;
   report.reference = measures.reference;
   report.points.unmeshed = measures.unmeshed;
   append(report.warnings, measures.warnings);

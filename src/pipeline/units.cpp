@@ -58,7 +58,17 @@ void scale_report(Report& report, int exponent) {
   }
   for (ComponentSummary& component : report.components) {
     scale(component.mesh.area, 2 * exponent);
+    scale(component.low, exponent);
+    scale(component.high, exponent);
+    for (HandleRepair& repair : component.repairs) {
+      scale(repair.place, exponent);
+      scale(repair.length, exponent);
+    }
     if (component.to_reference) scale(*component.to_reference, exponent);
+  }
+  for (LeftOut& part : report.left_out) {
+    scale(part.low, exponent);
+    scale(part.high, exponent);
   }
 }
 

@@ -3,9 +3,12 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
 
+#include "../mesh_rules.h"
+#include "ply.h"
 #include "rimline/memory.h"
 #include "tool.h"
 
@@ -127,18 +130,66 @@ TEST_CASE("status 3: points that no chain of neighbours joins to the loop are co
   CHECK(folder.names() == Names{"loops.json", "two.xyz"});
 }
 
-TEST_CASE("a closed surface has no loops, which is an answer to boundary and status 3 to reconstruct") {
+TEST_CASE("a closed surface has no loops, and a mesh without a map that faces outward") {
   const Folder folder;
   const std::string input = sample(folder, "closed-sphere", "2000");
   const Finished none = rimline::test::rimline({"boundary", input, "--loops", folder / "loops.json"});
   CHECK(none.status == 0);
   CHECK(nlohmann::json::parse(read_file(folder / "loops.json")).at("loops").empty());
   CHECK(contains(none.out, "no loop"));
-  const Finished refused = rimline::test::rimline({"reconstruct", input, "-o", folder / "mesh.ply"});
-  CAPTURE(refused.err);
+  const Finished done = rimline::test::rimline(
+      {"reconstruct", input, "-o", folder / "mesh.ply", "--report", folder / "report.json"});
+  CAPTURE(done.err);
+  REQUIRE(done.status == 0);
+  CHECK(contains(done.out, "closed"));
+  const auto report = nlohmann::json::parse(read_file(folder / "report.json"));
+  CHECK(report.at("mesh").at("euler_number") == 2);
+  CHECK(report.at("map").at("kind") == nlohmann::json{"none"});
+  CHECK(report.at("components").at(0).at("shape") == "closed");
+  const Ply mesh = parse_ply(read_file(folder / "mesh.ply"));
+  CHECK(broken_rule(mesh.faces, static_cast<int>(mesh.vertices)) == "");
+  CHECK(rim_of(mesh.faces).empty());
+  for (const double u : mesh.values<double>("u")) CHECK(std::isnan(u));
+}
+
+TEST_CASE("status 3: where no triangle can be given, loops and report are written all the same") {
+  const Folder folder;
+  std::string line;
+  for (int i = 0; i < 50; ++i) line += fmt::format("{} 0 0\n", i);
+  write_file(folder / "line.xyz", line);
+  const Finished refused =
+      rimline::test::rimline({"reconstruct", folder / "line.xyz", "-o", folder / "mesh.ply", "--loops",
+                              folder / "loops.json", "--report", folder / "report.json"});
   CHECK(refused.status == 3);
-  CHECK(contains(refused.err, "closed"));
-  CHECK(folder.names() == Names{"loops.json", "sample.ply"});
+  CHECK(folder.names() == Names{"line.xyz", "loops.json", "report.json"});
+  CHECK(nlohmann::json::parse(read_file(folder / "loops.json")).at("loops").empty());
+  CHECK_FALSE(nlohmann::json::parse(read_file(folder / "report.json")).at("warnings").empty());
+}
+
+TEST_CASE("parts that no loop of a file bounds are listed, and are status 3 under --strict") {
+  const Folder folder;
+  write_file(folder / "two.xyz", grid(12, 0) + grid(12, 1000));
+  write_file(folder / "loops.json", rim_of_grid(12));
+  std::vector<std::string> call{"reconstruct", folder / "two.xyz",    "-o",       folder / "mesh.ply",
+                                "--use-loops", folder / "loops.json", "--report", folder / "report.json"};
+  for (const std::string flag : {"", "--allow-partial"}) {
+    std::vector<std::string> arguments = call;
+    if (!flag.empty()) arguments.push_back(flag);
+    const Finished done = rimline::test::rimline(arguments);
+    CAPTURE(done.err);
+    CHECK(done.status == 0);
+    CHECK(contains(done.err, "--allow-partial") == !flag.empty());
+    const auto left_out = nlohmann::json::parse(read_file(folder / "report.json")).at("left_out");
+    REQUIRE(left_out.size() == 1);
+    CHECK(left_out[0].at("points") == 144);
+    CHECK(left_out[0].at("ids").at(0) == 144);
+    CHECK(left_out[0].at("box").at(0).at(0) == 1000);
+    for (const char* key : {"cause", "try"}) CHECK_FALSE(left_out[0].at(key).empty());
+  }
+  call.push_back("--strict");
+  const Finished refused = rimline::test::rimline(call);
+  CHECK(refused.status == 3);
+  CHECK(contains(refused.err, "144 points"));
 }
 
 TEST_CASE("status 4: a folder that is not there, or that takes no files") {

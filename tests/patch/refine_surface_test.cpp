@@ -10,7 +10,9 @@
 #include <string>
 #include <thread>
 
+#include "mesh_rules.h"
 #include "patch/pinches.h"
+#include "patch/topology.h"
 #include "rimline/sample.h"
 
 namespace rimline {
@@ -166,7 +168,8 @@ TEST_CASE("points that hang together with no loop are left out and named") {
   CHECK(surface.patch[110] == none);
 }
 
-TEST_CASE("holes that touch each other or the outline in a point stay edge for edge") {
+TEST_CASE(
+    "where holes touch each other or the outline, the mesh is a manifold that ends at loops of its own") {
   const std::vector<Point> points = sheet(14, {0, 0, 0});
   const Run run;
   for (const bool at_outline : {false, true}) {
@@ -182,8 +185,8 @@ TEST_CASE("holes that touch each other or the outline in a point stay edge for e
     std::vector<Point> kept = points;
     if (at_outline) kept[14 + 10] = {10, -3, 9};  // the diamond's centre is no point of the sheet
     const Surface surface = refine_surface(kept, find_neighbours(kept, 20, run), loops, {}, {}, run);
-    REQUIRE(surface.patches.size() == 1);
-    CHECK(open_edges(surface.triangles) == edges_of(loops));
+    CHECK(test::broken_rule(surface.triangles, static_cast<int>(kept.size())) == "");
+    CHECK(open_edges(surface.triangles) == edges_of(surface.loops));
   }
 }
 
@@ -205,24 +208,35 @@ TEST_CASE(
   CHECK(lobes.loops[1].points == std::vector<Index>{7, 10, 6});
 }
 
-TEST_CASE("no loop at all is an error, one patch that fails is one too unless partial results are allowed") {
+TEST_CASE("a sheet keeps its map beside a one-sided strip and a sphere, which are meshed without one") {
   std::vector<Point> points = sheet(10, {100, 0, 0});
   const Run run;
-  CHECK_THROWS_AS(refine_surface(points, find_neighbours(points, 16, run), {}, {}, {}, run), Error);
-  const Sample strip = sample({Shape::MoebiusStrip, Sampling::BlueNoise, 1500, 0}, run);
   std::vector<Loop> loops{border(10, 0)};
-  loops.push_back(strip.loops.front());
-  for (Index& v : loops.back().points) v += 100;
-  points.insert(points.end(), strip.points.begin(), strip.points.end());
+  for (const Shape shape : {Shape::MoebiusStrip, Shape::ClosedSphere}) {
+    const Sample more = sample({shape, Sampling::BlueNoise, 1500, 0}, run);
+    const auto first = static_cast<Index>(points.size());
+    const double right = shape == Shape::ClosedSphere ? 50 : 0;
+    for (const Point& p : more.points) points.push_back(p + Point{right, 0, 0});
+    for (Loop loop : more.loops) {
+      for (Index& v : loop.points) v += first;
+      loops.push_back(loop);
+    }
+  }
   const Neighbours neighbours = find_neighbours(points, 24, run);
-  CHECK_THROWS_AS(refine_surface(points, neighbours, loops, {}, {}, run), Error);
-  RefineOptions partial;
-  partial.allow_partial = true;
-  const Surface surface = refine_surface(points, neighbours, loops, {}, partial, run);
-  REQUIRE(surface.patches.size() == 2);
-  CHECK(surface.patches[0].failure.empty());
-  CHECK(surface.patches[1].failure.find("one-sided") != std::string::npos);
-  CHECK(open_edges(surface.triangles) == edges_of({border(10, 0)}));
+  const std::vector<Triangle> triangles = agreed_triangles(find_stars(points, neighbours, {}, {}, run));
+  const Surface surface = refine_surface(points, neighbours, loops, triangles, {}, run);
+  REQUIRE(surface.patches.size() == 3);
+  CHECK(test::broken_rule(surface.triangles, static_cast<int>(points.size()), false) == "");
+  CHECK(test::rim_of(surface.triangles).size() == loops[0].points.size() + loops[1].points.size());
+  for (const PatchReport& patch : surface.patches) {
+    CHECK(patch.failure.empty());
+    const bool is_sheet = patch.points == 100, is_sphere = patch.loops == 0;
+    CHECK(patch.domain == (is_sheet ? Domain::Disc : Domain::None));
+    CHECK(patch.orientable == (is_sheet || is_sphere));
+    CHECK(patch.genus == (is_sheet || is_sphere ? 0 : 1));
+  }
+  CHECK(std::isfinite(surface.uv[0].u));
+  CHECK(std::isnan(surface.uv[points.size() - 1].u));
 }
 
 TEST_CASE("holes within the bound are filled, the others stay, and the map covers the fills") {
@@ -239,7 +253,6 @@ TEST_CASE("holes within the bound are filled, the others stay, and the map cover
         options.domain = domain;
         options.holes = {.fill = true, .most_points = most};
         options.fill_points = with_points;
-        options.allow_partial = true;
         const Surface surface = refine_surface(points, neighbours, loops, {}, options, run);
         REQUIRE(surface.patches.size() == 1);
         std::vector<Loop> stay{loops[0]};
@@ -263,18 +276,6 @@ TEST_CASE("holes within the bound are filled, the others stay, and the map cover
       }
     }
   }
-}
-
-TEST_CASE("holes that touch each other stay, and are reported as not filled") {
-  const std::vector<Point> points = sheet(14, {0, 0, 0});
-  const Run run;
-  const std::vector<Loop> loops{border(14, 0), square_hole(14, 4, 4, 1), square_hole(14, 5, 5, 1)};
-  RefineOptions options;
-  options.holes = {.fill = true};
-  const Surface surface = refine_surface(points, find_neighbours(points, 20, run), loops, {}, options, run);
-  CHECK(open_edges(surface.triangles) == edges_of(loops));
-  REQUIRE(surface.patches[0].fills.size() == 1);
-  CHECK(surface.patches[0].fills[0].triangles == 0);
 }
 
 TEST_CASE("corners are taken in the order of the loop from the first, and must lie on one outer loop") {

@@ -154,23 +154,41 @@ TEST_CASE("a loop made by hand is used instead of finding one") {
   CHECK(result.boundary.report.search.starts == 0);
 }
 
-TEST_CASE("points that a loop made by hand does not bound are named, or left out where that is allowed") {
+TEST_CASE("points that a loop made by hand does not bound are left out and named, an error under strict") {
   auto disc = shapes::disc(12, 0.4);
   const std::size_t bounded = disc.points.size();
   for (const Point& p : shapes::disc(6).points) disc.points.push_back(p + Point{50, 0, 0});
   Given given;
   given.loops.push_back({disc.rim});
   Options options = preset_options(Preset::Default);
+  const Report report = reconstruct(disc.points, options, {}, given).boundary.report;
+  CHECK(report.points.unmeshed == disc.points.size() - bounded);
+  REQUIRE(report.left_out.size() == 1);
+  CHECK(report.left_out[0].ids.size() == disc.points.size() - bounded);
+  CHECK(report.left_out[0].ids.front() == static_cast<Index>(bounded));
+  CHECK(report.left_out[0].low.x > 40);
+  options.mesh.strict = true;
   try {
     reconstruct(disc.points, options, {}, given);
-    FAIL("meshed a part that no loop bounds");
-  } catch (const Error& error) {
-    CHECK(error.code() == ErrorCode::UnreachableInterior);
-    CHECK(error.ids().size() == disc.points.size() - bounded);
+    FAIL("strict meshed a part of the points");
+  } catch (const NoMesh& error) {
+    CHECK(error.ids() == report.left_out[0].ids);
+    CHECK(error.found.loops.size() == 1);
+    CHECK(error.found.report.left_out.size() == 1);
   }
-  options.mesh.allow_partial = true;
-  CHECK(reconstruct(disc.points, options, {}, given).boundary.report.points.unmeshed ==
-        disc.points.size() - bounded);
+}
+
+TEST_CASE("a surface of which no triangle can be given ends with what was found") {
+  std::vector<Point> ring;
+  for (int i = 0; i < 60; ++i) ring.push_back({std::cos(i * 0.1047), std::sin(i * 0.1047), 0.3 * i});
+  try {
+    reconstruct(ring, preset_options(Preset::Default), {});
+    FAIL("meshed a spiral");
+  } catch (const NoMesh& error) {
+    CHECK(exit_status(error.code()) == 3);
+    CHECK(error.found.boundary.size() == ring.size());
+    CHECK(error.found.report.warnings.back() == error.what());
+  }
 }
 
 TEST_CASE("bad options and given loops are refused with their names") {

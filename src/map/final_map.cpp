@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/final_map.h"
+
+#include <optional>
+#include <utility>
+
+#include "map/conformal_descent.h"
+#include "map/domain.h"
+#include "map/embed.h"
+#include "map/free_map.h"
+#include "map/outline_crossings.h"
+
+namespace rimline {
+namespace {
+
+std::vector<UV> of_points(Points points, const std::vector<UV>& uv) {
+  return {uv.begin(), uv.begin() + static_cast<std::ptrdiff_t>(points.size())};
+}
+
+// To the outline that `uv` has.
+FinalMap map_to_outline(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
+                        const RefineOptions& options, std::vector<UV> uv, const Run& run) {
+  constexpr int repairs = 8;
+  const Embedding embedding = embed(points, mesh, loops, options.residual, repairs, uv, run);
+  return {of_points(points, uv), options.domain == Domain::Free ? Domain::Disc : options.domain,
+          embedding.map, embedding.flips, embedding.evened};
+}
+
+void lay_out(Points points, const Triangulation& mesh, const std::vector<Loop>& loops, FinalMap& map) {
+  map.kind = Domain::Free;
+  lay_level(points, loops.front().points, map.uv);
+  scale_to_area(points, mesh, map.uv);
+}
+
+// Least squares, which may turn triangles over where the mesh folds, or leave them all but flat in uv, and
+// may cross the outline: nothing where it does.
+std::optional<FinalMap> map_freely(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
+                                   const Run& run) {
+  constexpr double flat = 1.05, little = 1e-3;
+  for (const double least : {0.0, little}) {  // then no inner edge without a weight
+    FinalMap map;
+    map.summary = free_map(points, mesh, loops.front().points, least, map.uv, run);
+    if (!flipped_triangles(mesh.triangles, map.uv, run).empty()) continue;
+    if (!crossing_points(loops, map.uv).empty() || conformal_distortion(points, mesh, map.uv) > flat)
+      return {};
+    lay_out(points, mesh, loops, map);
+    return map;
+  }
+  return {};
+}
+
+}  // namespace
+
+FinalMap final_map(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
+                   const RefineOptions& options, std::vector<UV> uv, const Run& run) {
+  if (options.domain == Domain::Free) {
+    if (auto map = map_freely(points, mesh, loops, run)) return std::move(*map);
+  } else if (options.domain != Domain::Disc) {
+    place_outline(points, loops.front().points, options.domain, options.corners, uv);
+  }
+  FinalMap map = map_to_outline(points, mesh, loops, options, std::move(uv), run);
+  if (options.domain != Domain::Free) return map;
+  // From the disc's map, which has no flips and no crossings, by steps that make none.
+  if (map.flips == 0 && relax_conformally(points, mesh, loops, map.uv, run) > 0) {
+    lay_out(points, mesh, loops, map);
+  } else {
+    scale_to_area(points, mesh, map.uv);
+  }
+  return map;
+}
+
+}  // namespace rimline

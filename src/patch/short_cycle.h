@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The short closed curves that a handle or a one-sided strip has, and a disc with holes has not.
+#pragma once
+
+#include <vector>
+
+#include "mesh/editable_mesh.h"
+
+namespace rimline {
+
+// A component and the rims that it is taken to be capped at: `rim_of` has the number of a rim at its vertices
+// and none elsewhere.
+struct Capped {
+  const EditableMesh& mesh;
+  const std::vector<Index>& rim_of;
+};
+
+// What a shortest-path tree from one vertex tells: one closed curve for each of the first Betti number (mod
+// 2) of the capped component, all of them through the vertex, the shortest first.
+struct CyclesAt {
+  std::vector<Index> shortest;  // vertices in order, simple; empty where every closed curve bounds
+  std::vector<Index> others;    // one vertex on each of the others
+};
+
+// Tree-cotree decomposition (Eppstein 2003) with the greedy choice of Erickson and Whittlesey (2005): the
+// shortest curve is the shortest through the vertex that bounds no part of the surface. Lengths are counted
+// in edges. Time linear in the component's triangles.
+CyclesAt cycles_at(const Capped& surface, Index vertex);
+
+}  // namespace rimline

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vertices at which a surface touches itself in a point.
+#pragma once
+
+#include <span>
+
+#include "mesh/editable_mesh.h"
+
+namespace rimline {
+
+// Leaves one fan at each vertex. Two fans of one component are joined by a triangle between them where one
+// fits the surface (a narrow angle, edges of a few spacings, no fold); else the fan with most triangles stays
+// and the others go. Where components touch, the vertex stays with the fan of most triangles. `spacing`: one
+// per vertex.
+void leave_single_fans(EditableMesh& mesh, std::span<const double> spacing);
+
+}  // namespace rimline

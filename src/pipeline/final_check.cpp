@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/final_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "mesh/manifold.h"
+
+namespace rimline::pipeline {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double area_in_map(const MappedMesh& mesh, const Triangle& t) {
+  const UV a = mesh.uv[t[0]], b = mesh.uv[t[1]], c = mesh.uv[t[2]];
+  return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+}
+
+void drop_turned_maps(MappedMesh& mesh) {
+  std::vector<char> turned(mesh.components.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Index c = mesh.triangle_patch[t];
+    if (mesh.components[c].map != Domain::None && !(area_in_map(mesh, mesh.triangles[t]) > 0)) turned[c] = 1;
+  }
+  const auto count = std::ranges::count(turned, 1);
+  if (count == 0) return;
+  for (std::size_t v = 0; v < mesh.uv.size(); ++v) {
+    if (mesh.patch[v] != none && turned[mesh.patch[v]]) mesh.uv[v] = {nan, nan};
+  }
+  for (std::size_t c = 0; c < turned.size(); ++c) {
+    if (turned[c]) mesh.components[c].map = Domain::None;
+  }
+  mesh.warnings.push_back(fmt::format(
+      "the maps of {} components are left out: they have triangles without area in double precision", count));
+}
+
+std::vector<Loop> loops_of(const MappedMesh& mesh, Index component) {
+  std::vector<Loop> loops;
+  for (const Loop& loop : mesh.loops) {
+    if (mesh.patch[loop.points.front()] == component) loops.push_back(loop);
+  }
+  return loops;
+}
+
+std::string fault_of_component(const MappedMesh& mesh, Index component, const Run& run) {
+  std::vector<Triangle> own;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.triangle_patch[t] == component) own.push_back(mesh.triangles[t]);
+  }
+  if (own.empty()) return "";
+  return fault_of(own, mesh.vertices.size(), loops_of(mesh, component), mesh.components[component].orientable,
+                  run);
+}
+
+void leave_out(Index component, const std::string& fault, MappedMesh& mesh) {
+  std::erase_if(mesh.loops, [&](const Loop& loop) { return mesh.patch[loop.points.front()] == component; });
+  std::vector<Triangle> triangles;
+  std::vector<Index> owner;
+  std::vector<char> filled;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.triangle_patch[t] == component) continue;
+    triangles.push_back(mesh.triangles[t]);
+    owner.push_back(mesh.triangle_patch[t]);
+    filled.push_back(mesh.filled[t]);
+  }
+  mesh.triangles = std::move(triangles);
+  mesh.triangle_patch = std::move(owner);
+  mesh.filled = std::move(filled);
+  for (std::size_t v = 0; v < mesh.patch.size(); ++v) {
+    if (mesh.patch[v] != component) continue;
+    mesh.patch[v] = none;
+    mesh.uv[v] = {nan, nan};
+  }
+  ComponentSummary& summary = mesh.components[component];
+  summary.triangles = 0;
+  summary.map = Domain::None;
+  summary.failure = fault;
+  mesh.warnings.push_back(fmt::format("component {} is left out: {}", component, fault));
+}
+
+}  // namespace
+
+MappedMesh checked(MappedMesh mesh, const Run& run) {
+  drop_turned_maps(mesh);
+  const bool orientable = std::ranges::all_of(mesh.components, &ComponentSummary::orientable);
+  if (mesh.triangles.empty() ||
+      fault_of(mesh.triangles, mesh.vertices.size(), mesh.loops, orientable, run).empty())
+    return mesh;
+  for (std::size_t c = 0; c < mesh.components.size(); ++c) {
+    const std::string fault = fault_of_component(mesh, static_cast<Index>(c), run);
+    if (!fault.empty()) leave_out(static_cast<Index>(c), fault, mesh);
+  }
+  return mesh;
+}
+
+}  // namespace rimline::pipeline

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace rimline::pipeline {
+namespace {
+
+using IsIt = std::function<bool(const PatchReport&)>;
+
+// "component 3 of 1,200 points is ..." or "7 of 450 components are ..., the largest is component 3 of 1,200
+// points"; "" where there is none.
+std::string tell(const std::vector<PatchReport>& patches, const IsIt& is_it, const std::string& one,
+                 const std::string& many) {
+  std::size_t count = 0, largest = 0;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    if (!is_it(patches[p])) continue;
+    if (count++ == 0 || patches[p].points > patches[largest].points) largest = p;
+  }
+  if (count == 0) return "";
+  const std::string which = fmt::format("component {} of {} points", largest, patches[largest].points);
+  if (count == 1) return which + " " + one;
+  return fmt::format("{} of {} components {}; the largest is {}", count, patches.size(), many, which);
+}
+
+std::string tell_of_suspects(const std::vector<PatchReport>& patches) {
+  double most = 0;
+  for (const PatchReport& patch : patches) most = std::max(most, patch.suspect ? patch.bad_share : 0);
+  const std::string why = fmt::format(
+      ": up to {:.1f} % of the inner edges are longer than 3 spacings or folded beyond 120 degrees",
+      100 * most);
+  return tell(
+      patches, [](const PatchReport& p) { return p.suspect; }, "is suspect" + why, "are suspect" + why);
+}
+
+std::string tell_of_failures(const std::vector<PatchReport>& patches) {
+  const auto failed = std::ranges::find_if(patches, [](const PatchReport& p) { return !p.failure.empty(); });
+  if (failed == patches.end()) return "";
+  return tell(
+      patches, [](const PatchReport& p) { return !p.failure.empty(); }, "was not meshed: " + failed->failure,
+      "were not meshed (" + failed->failure + ")");
+}
+
+std::string shape_of(const PatchReport& patch) {
+  if (!patch.orientable) return "one-sided";
+  if (patch.loops == 0)
+    return patch.genus == 0 ? "closed" : fmt::format("closed, with handles: {}", patch.genus);
+  return fmt::format("with handles: {}", patch.genus);
+}
+
+bool is_disc(const PatchReport& patch) { return patch.orientable && patch.genus == 0 && patch.loops > 0; }
+
+void tell_of_maps(const std::vector<PatchReport>& patches, Domain wanted, std::vector<std::string>& told) {
+  const auto meshed = [](const PatchReport& p) { return p.failure.empty(); };
+  const auto no_disc = [&](const PatchReport& p) { return meshed(p) && !is_disc(p); };
+  const auto first = std::ranges::find_if(patches, no_disc);
+  if (first != patches.end() && wanted != Domain::None) {
+    told.push_back(tell(patches, no_disc, "is no disc with holes (" + shape_of(*first) + ") and has no map",
+                        "are no discs with holes and have no map"));
+  }
+  if (wanted == Domain::None) return;
+  const auto turned = [&](const PatchReport& p) {
+    return meshed(p) && is_disc(p) && p.domain == Domain::None;
+  };
+  told.push_back(tell(patches, turned, "has no map: every one that was made turns triangles over",
+                      "have no map: every one that was made turns triangles over"));
+  const auto other = [&](const PatchReport& p) {
+    return meshed(p) && p.domain != Domain::None && p.domain != wanted;
+  };
+  const std::string disc =
+      "the disc's map, at the area of the surface: no free map without turned triangles "
+      "was found";
+  told.push_back(tell(patches, other, "has " + disc, "have " + disc));
+}
+
+std::string tell_of_repairs(const std::vector<PatchReport>& patches) {
+  std::size_t repairs = 0;
+  for (const PatchReport& patch : patches) repairs += patch.repairs.size();
+  if (repairs == 0) return "";
+  return fmt::format(
+      "{} short {} taken for noise and mended; the report has the places, --handles keep leaves "
+      "them",
+      repairs, repairs == 1 ? "handle was" : "handles were");
+}
+
+}  // namespace
+
+std::vector<std::string> warn_of_components(const std::vector<PatchReport>& patches, Domain wanted) {
+  std::vector<std::string> told{tell_of_suspects(patches), tell_of_failures(patches),
+                                tell_of_repairs(patches)};
+  tell_of_maps(patches, wanted, told);
+  std::erase(told, "");
+  return told;
+}
+
+std::vector<std::string> warn_of_long_edges(double longest_over_median) {
+  if (!(longest_over_median > far_longer)) return {};
+  return {fmt::format("an edge is {:.1f} median spacings long; more than {} is far for this sample",
+                      longest_over_median, far_longer)};
+}
+
+}  // namespace rimline::pipeline

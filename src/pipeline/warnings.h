@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What people should know of a mesh, a line for each kind of thing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/mapped_mesh.h"
+#include "rimline/refine_surface.h"
+
+namespace rimline::pipeline {
+
+// Components that are suspect, failed, were mended, or have another map than the one wanted.
+std::vector<std::string> warn_of_components(const std::vector<PatchReport>& patches, Domain wanted);
+
+// Above this many median spacings an edge is far longer than the sample asks for.
+constexpr double far_longer = 6;
+
+// Edges that are far longer than the median spacing.
+std::vector<std::string> warn_of_long_edges(double longest_over_median);
+
+}  // namespace rimline::pipeline
