@@ -72,6 +72,11 @@ void GroupSearch::find_vertices() {
     vertices_.push_back({slot, first, last, few ? costs : not_candidate, few ? (1u << here) - 1 : 0});
     if (few) costs += 1u << here;
   }
+  // The order of a triangle's corners is that of its ids, which a turn of the cloud changes.
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    return std::ranges::lexicographical_compare(bits_at(vertices_[a]), bits_at(vertices_[b]));
+  };
+  for (Bit& bit : bits_) std::sort(std::begin(bit.corners), std::end(bit.corners), before);
   near_.start(bits_.size());
   touched_.start(vertices_.size());
   costs_.assign(costs, std::numeric_limits<double>::quiet_NaN());

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "search/groups.h"
 
+#include <algorithm>
+#include <tuple>
+
 #include "base/union_find.h"
 
 namespace rimline {
@@ -20,9 +23,18 @@ CandidateGroups group_candidates(const Candidates& candidates) {
       g = static_cast<Index>(groups.all.size());
       groups.all.emplace_back();
     }
-    groups.place[i] = static_cast<std::uint32_t>(groups.all[g].size());
     groups.all[g].push_back(i);
   }
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    return std::tuple(-candidates.log_ratio[a], a) < std::tuple(-candidates.log_ratio[b], b);
+  };
+  for (CandidateGroup& group : groups.all) {
+    std::sort(group.begin(), group.end(), before);
+    for (std::uint32_t k = 0; k < group.size(); ++k) groups.place[group[k]] = k;
+  }
+  std::sort(groups.all.begin(), groups.all.end(), [&](const CandidateGroup& a, const CandidateGroup& b) {
+    return before(a[0], b[0]);
+  });
   return groups;
 }
 

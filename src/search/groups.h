@@ -9,14 +9,16 @@
 
 namespace rimline {
 
-using CandidateGroup = std::vector<std::uint32_t>;  // positions in Candidates::triangles, ascending
+using CandidateGroup = std::vector<std::uint32_t>;  // positions in Candidates::triangles, the largest first
 
 struct CandidateGroups {
   std::vector<CandidateGroup> all;
   std::vector<std::uint32_t> place;  // of each doubtful triangle in its group
 };
 
-// The candidates that are connected over shared vertices: no other influences them.
+// The candidates that are connected over shared vertices: no other influences them. Groups, and the
+// candidates in each, come in the order of their sizes, which a turn of the cloud leaves as they are: the
+// search goes through them in turn, and each group has a random stream by its number.
 CandidateGroups group_candidates(const Candidates& candidates);
 
 }  // namespace rimline

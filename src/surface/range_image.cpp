@@ -10,6 +10,7 @@
 
 #include "base/model.h"
 #include "base/parallel.h"
+#include "local/own_frame.h"
 #include "rimline/delaunay.h"
 
 namespace rimline {
@@ -61,16 +62,15 @@ std::optional<Point> thinnest(Points points, const Run& run) {
   return Point{least.x(), least.y(), least.z()};
 }
 
-// How the neighbours of some of the samples lie, for a quick look from any side.
+// How the neighbours of some of the samples lie in the cloud's own frame, for a quick look from any side.
 class Look {
  public:
-  Look(Points points, const Neighbours& neighbours, Index samples) {
+  Look(Points points, const Neighbours& neighbours, const OwnFrame& own, std::size_t samples,
+       const Run& run) {
     const int k = std::min(model::few_neighbours, neighbours.k);
-    const Index n = neighbours.size(), count = std::min(n, samples);
     std::vector<double> in_space;
-    for (Index s = 0; s < count; ++s) {
-      const auto i = static_cast<Index>(static_cast<std::int64_t>(s) * n / count);
-      for (const Index j : neighbours.of(i, k)) steps_.push_back(points[j] - points[i]);
+    for (const Index i : some_of(points, own, samples, run)) {
+      for (const Index j : neighbours.of(i, k)) steps_.push_back(own.in(points[j] - points[i]));
       in_space.push_back(distance_to(points, neighbours, i, 0));
     }
     least_ = 0.5 * quantile(in_space, 0.5);
@@ -91,12 +91,12 @@ class Look {
     return result;
   }
 
-  // The spread of these distances over their median: 0 for a raster.
+  // The spread of these distances over their median, and the same of the gaps between rows: 0 for a raster.
+  // The steps along rows alone do not tell where across them the view is from.
   double spread(Point view) const {
-    std::vector<double> all = nearest(view);
-    const double middle = quantile(all, 0.5);
-    return middle >= least_ ? (quantile(all, 0.9) - quantile(all, 0.1)) / middle  // [layout]
-                            : 1e300;                                              // [layout] a spread
+    std::vector<double> all = nearest(view), gaps = to_next_row(view);
+    if (quantile(all, 0.5) < least_ || gaps.empty()) return 1e300;  // [layout] a spread
+    return relative_spread(all) + relative_spread(gaps);
   }
 
   // The median of these distances, where nearly all are equal to it.
@@ -111,6 +111,31 @@ class Look {
   }
 
  private:
+  static double relative_spread(std::vector<double>& values) {
+    return (quantile(values, 0.9) - quantile(values, 0.1)) / quantile(values, 0.5);  // [layout]
+  }
+
+  // How far beside the line through a sample and its nearest neighbour the next row is, seen along `view`:
+  // the least over its other neighbours that are not about in the line.
+  std::vector<double> to_next_row(Point view) const {
+    constexpr double in_line = model::range_in_line * model::range_in_line;
+    std::vector<double> result;
+    std::vector<Point> seen(per_sample_);
+    for (std::size_t first = 0; first < steps_.size(); first += per_sample_) {
+      for (std::size_t i = 0; i < per_sample_; ++i)
+        seen[i] = steps_[first + i] - dot(steps_[first + i], view) * view;
+      const Point row = *std::ranges::min_element(seen, {}, [](Point p) { return dot(p, p); });
+      double least = 1e300;
+      for (const Point p : seen) {
+        const Point off = cross(row, p);
+        const double squared = dot(off, off);
+        if (squared > in_line * dot(row, row) * dot(p, p)) least = std::min(least, squared / dot(row, row));
+      }
+      if (least < 1e300) result.push_back(std::sqrt(least));
+    }
+    return result;
+  }
+
   std::vector<Point> steps_;
   std::size_t per_sample_;
   double least_;  // a view along a row sees its samples behind one another
@@ -218,13 +243,22 @@ void open_pinches(TriangleSet& set) {
 // The triangles between neighbouring samples, where the view is a raster in both directions: of all triangles
 // of its Delaunay triangulation most are half a cell. (A tunnel sampled in rows shows even steps along these
 // from many sides.)
-std::vector<Triangle> triangles_of_cells(Points points, Point view, double step, const Run& run) {
+std::vector<Triangle> triangles_of_cells(Points points, const OwnFrame& own, Point direction, double step,
+                                         const Run& run) {
   constexpr double largest = model::range_cell_largest, jump = model::range_jump;
   constexpr double tolerance = model::range_cell_tolerance, most = model::range_cell_share;
   constexpr double fewest_jumps = model::range_fewest_jumps, most_slight = model::range_most_slight;
-  const auto [u, v] = across(view);
+  const auto [u, v] = across(direction);
   std::vector<UV> seen;
-  for (const Point& p : points) seen.push_back({dot(p, u), dot(p, v)});
+  for (const Point& p : points) {
+    const Point at = own.in(p - own.centre);
+    const double x = dot(at, u), y = dot(at, v);
+    // The four corners of a cell lie on a circle: moved by less than a sample's error they do so no more, and
+    // a turn of the cloud does not decide which diagonal is taken.
+    const double wave = std::sin(17.3 / step * x + 29.9 / step * y);  // [guard]
+    const double moved = 1e-4 * step * wave;                          // [guard]
+    seen.push_back({x + moved, y});
+  }
   std::vector<Triangle> triangles = delaunay(seen, run);
   if (triangles.empty()) return {};
   std::vector<double> areas, radii;
@@ -264,28 +298,30 @@ std::vector<Triangle> triangles_of_cells(Points points, Point view, double step,
 }  // namespace
 
 std::optional<RangeImage> find_range_image(Points points, const Neighbours& neighbours, const Run& run) {
-  constexpr Index quick = 500, thorough = 5000;  // [speed] samples
+  constexpr std::size_t quick = 500, thorough = 5000;  // [speed] samples
   constexpr int starts = 4;
   if (neighbours.size() < model::range_fewest_points) return std::nullopt;
-  const Look all(points, neighbours, thorough);
-  const auto raster = [&](Point view) -> std::optional<RangeImage> {
-    const auto step = all.step(view);
+  const OwnFrame own = own_frame(points, run);
+  const Look all(points, neighbours, own, thorough, run);
+  const auto raster = [&](Point direction) -> std::optional<RangeImage> {
+    const auto step = all.step(direction);
     if (!step) return std::nullopt;
-    auto triangles = triangles_of_cells(points, view, *step, run);
+    auto triangles = triangles_of_cells(points, own, direction, *step, run);
     if (triangles.empty()) return std::nullopt;
-    return RangeImage{view, *step, std::move(triangles)};
+    return RangeImage{own.out(direction), *step, std::move(triangles)};
   };
   const auto front = thinnest(points, run);
   if (!front) return std::nullopt;
   // A nearly flat lattice is one from many sides; only this one sees it in full.
-  if (auto found = raster(*front)) return found;
-  const Look look(points, neighbours, quick);
+  if (auto found = raster(own.in(*front))) return found;
+  const Look look(points, neighbours, own, quick, run);
   const std::vector<View> views = look_around(look, run);
   View best = views[0];
   for (int i = 0; i < starts; ++i) {
     const View view = settle(look, views[i]);
     if (view.spread < best.spread) best = view;
   }
+  if (best.spread < model::range_nearly) best = settle(all, {all.spread(best.direction), best.direction});
   return raster(best.direction);
 }
 

@@ -541,3 +541,25 @@ TEST_CASE("a run that is told to stop, stops") {
   run.stop = &stop;
   CHECK_THROWS_AS(find_boundary_loops(points, neighbours, scores, {}, 0.9, run), Error);
 }
+
+TEST_CASE("a cloud that is turned has the same loops") {
+  struct Case {
+    Shape shape;
+    Sampling sampling;
+    double noise;
+  };
+  const Case cases[] = {{Shape::WavySaddle, Sampling::Cropped, 0},
+                        {Shape::HemisphereCap, Sampling::Random, 0},
+                        {Shape::SquareWithHoles, Sampling::DensityStep, 0.5},
+                        {Shape::Pipe, Sampling::Grid, 0}};
+  const double c = std::cos(std::numbers::pi / 6), s = std::sin(std::numbers::pi / 6);
+  const Point axis = (1 / std::sqrt(14.0)) * Point{1, 2, 3};
+  for (const Case& x : cases) {
+    CAPTURE(name(x.sampling));
+    const Sample truth = make(x.shape, x.sampling, 5000, x.noise);
+    std::vector<Point> turned;
+    for (const Point p : truth.points)
+      turned.push_back(c * p + s * cross(axis, p) + (1 - c) * dot(axis, p) * axis);
+    CHECK(edge_sets(find_loops(turned).loops) == edge_sets(find_loops(truth.points).loops));
+  }
+}
