@@ -35,7 +35,7 @@ struct SurfaceComponent {
   bool orientable = true;
 };
 
-// The genetic search, over all groups of doubtful triangles.
+// The genetic search, over all groups of candidate triangles.
 struct SelectionSummary {
   std::size_t doubtful = 0;         // triangles that the search decides on: the bits of its chromosomes
   std::size_t groups = 0;           // of them that do not influence each other

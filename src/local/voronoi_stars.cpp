@@ -2,54 +2,23 @@
 #include "local/voronoi_stars.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "base/parallel.h"
+#include "local/principal_axes.h"
 #include "local/voronoi_cell.h"
 
 namespace rimline {
 namespace {
 
-struct Covariance {
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-
-  void add(Point d) {
-    xx += d.x * d.x;
-    xy += d.x * d.y;
-    xz += d.x * d.z;
-    yy += d.y * d.y;
-    yz += d.y * d.z;
-    zz += d.z * d.z;
-  }
-};
-
-Point normalized(Point a) {
-  const double length = norm(a);
-  return length > 0 ? (1 / length) * a : Point{0, 0, 1};
-}
-
-// The unit vector of least variance: the least eigenvalue from the characteristic cubic in its
-// trigonometric form, then the largest cross product of two rows of C - lambda I.
-Point least_direction(const Covariance& c) {
-  const double mean = (c.xx + c.yy + c.zz) / 3;
-  const double off = c.xy * c.xy + c.xz * c.xz + c.yz * c.yz;
-  const double dx = c.xx - mean, dy = c.yy - mean, dz = c.zz - mean;
-  const double p = std::sqrt((dx * dx + dy * dy + dz * dz + 2 * off) / 6);  // [layout]
-  if (!(p > 0)) return {0, 0, 1};
-  const double determinant =
-      dx * (dy * dz - c.yz * c.yz) - c.xy * (c.xy * dz - c.yz * c.xz) + c.xz * (c.xy * c.yz - dy * c.xz);
-  const double r = std::clamp(determinant / (2 * p * p * p), -1.0, 1.0);
-  const double least =
-      mean + 2 * p * std::cos(std::acos(r) / 3 + 2.0943951023931953);  // [layout] a third of a turn
-  const Point a{c.xx - least, c.xy, c.xz}, b{c.xy, c.yy - least, c.yz}, d{c.xz, c.yz, c.zz - least};
-  const std::array<Point, 3> candidates{cross(a, b), cross(a, d), cross(b, d)};
-  const Point* best = &candidates[0];
-  for (const Point& x : candidates) {
-    if (dot(x, x) > dot(*best, *best)) best = &x;
-  }
-  return normalized(*best);
+void add(Covariance& c, Point d) {
+  c.xx += d.x * d.x;
+  c.xy += d.x * d.y;
+  c.xz += d.x * d.z;
+  c.yy += d.y * d.y;
+  c.yz += d.y * d.z;
+  c.zz += d.z * d.z;
 }
 
 struct Frame {
@@ -57,9 +26,9 @@ struct Frame {
 };
 
 Frame make_frame(Point normal) {
-  const Point axis =
-      std::abs(normal.x) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0};  // [guard] any axis not along it
-  const Point u = normalized(cross(normal, axis));
+  const Point axis = std::abs(normal.x) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0};
+  const Point side = cross(normal, axis);
+  const Point u = (1 / norm(side)) * side;
   return {normal, u, cross(normal, u)};
 }
 
@@ -75,9 +44,9 @@ class StarFinder {
     for (const Index j : near) mean = mean + (points_[j] - points_[i]);
     mean = (1.0 / static_cast<double>(near.size() + 1)) * mean;
     Covariance covariance;
-    covariance.add(mean);
-    for (const Index j : near) covariance.add(points_[j] - points_[i] - mean);
-    return least_direction(covariance);
+    add(covariance, mean);
+    for (const Index j : near) add(covariance, points_[j] - points_[i] - mean);
+    return principal_axes(covariance).v[0];
   }
 
   // The cell of point i; positions are laid out by direction in the tangent plane and true distance.
@@ -109,7 +78,7 @@ class StarFinder {
 
 Stars find_stars(Points points, const Neighbours& neighbours, std::span<const Index> label,
                  const StarOptions& options, const Run& run) {
-  constexpr std::size_t slice = 1024;  // [speed]
+  constexpr std::size_t slice = 1024;
   struct Part {
     std::vector<Index> neighbours, counts;
     std::vector<double> weights;

@@ -15,7 +15,7 @@ namespace rimline {
 
 constexpr std::uint32_t not_candidate = ~std::uint32_t{0};
 
-// The doubtful triangles, and how they hang together.
+// The candidate triangles, and how they hang together.
 struct Candidates {
   std::vector<Index> triangles;  // ascending
   std::vector<double> gain;      // of leaving each out, before corners are looked at

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The genetic search in one group of doubtful triangles.
+// The genetic search in one group of candidate triangles.
 #pragma once
 
 #include <algorithm>

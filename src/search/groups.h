@@ -13,7 +13,7 @@ using CandidateGroup = std::vector<std::uint32_t>;  // positions in Candidates::
 
 struct CandidateGroups {
   std::vector<CandidateGroup> all;
-  std::vector<std::uint32_t> place;  // of each doubtful triangle in its group
+  std::vector<std::uint32_t> place;  // of each candidate triangle in its group
 };
 
 // The candidates that are connected over shared vertices: no other influences them. Groups, and the

@@ -8,7 +8,7 @@
 namespace rimline {
 
 struct SearchOptions {
-  int population = 12;   // chromosomes per group of doubtful triangles [option]
+  int population = 12;   // chromosomes per group of candidate triangles [option]
   int generations = 30;  // most of them; a group stops where all agree. 0 leaves the greedy choice [option]
   double doubtful =
       model::candidate_least;  // least log_ratio of a triangle that is doubtful where the rim reaches it

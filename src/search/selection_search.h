@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The genetic search for the rim: which of the doubtful triangles belong to the surface.
+// The genetic search for the rim: which of the candidate triangles belong to the surface.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct SearchResult {
   std::vector<double> history_best, history_mean;  // per generation, summed over the groups
 };
 
-// A chromosome says of each doubtful triangle whether it is selected. The rim of any set of triangles is a
+// A chromosome says of each candidate triangle whether it is selected. The rim of any set of triangles is a
 // set of closed loops, so any chromosome is a closed boundary, and so is what crossover and mutation make of
 // it: exchanging triangles adds (modulo 2) the boundary of what was exchanged.
 //
