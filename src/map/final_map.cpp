@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/domain_traits.h"
 #include "map/conformal_descent.h"
 #include "map/domain.h"
 #include "map/embed.h"
@@ -22,7 +23,7 @@ FinalMap map_to_outline(Points points, const Triangulation& mesh, const std::vec
                         const RefineOptions& options, std::vector<UV> uv, const Run& run) {
   constexpr int repairs = 8;
   const Embedding embedding = embed(points, mesh, loops, options.residual, repairs, uv, run);
-  return {of_points(points, uv), options.domain == Domain::Free ? Domain::Disc : options.domain,
+  return {of_points(points, uv), traits(options.domain).released ? Domain::Disc : options.domain,
           embedding.map, embedding.flips, embedding.evened};
 }
 
@@ -53,13 +54,13 @@ std::optional<FinalMap> map_freely(Points points, const Triangulation& mesh, con
 
 FinalMap final_map(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
                    const RefineOptions& options, std::vector<UV> uv, const Run& run) {
-  if (options.domain == Domain::Free) {
+  if (traits(options.domain).released) {
     if (auto map = map_freely(points, mesh, loops, run)) return std::move(*map);
-  } else if (options.domain != Domain::Disc) {
+  } else if (traits(options.domain).outline == Outline::Box) {
     place_outline(points, loops.front().points, options.domain, options.corners, uv);
   }
   FinalMap map = map_to_outline(points, mesh, loops, options, std::move(uv), run);
-  if (options.domain != Domain::Free) return map;
+  if (!traits(options.domain).released) return map;
   // From the disc's map, which has no flips and no crossings, by steps that make none.
   if (map.flips == 0 && relax_conformally(points, mesh, loops, map.uv, run) > 0) {
     lay_out(points, mesh, loops, map);

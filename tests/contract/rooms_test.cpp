@@ -69,16 +69,6 @@ std::vector<std::string> includes_of(const fs::path& file) {
   return includes;
 }
 
-// What still has to go, file by file.
-const std::map<std::string, std::set<std::string>> debts = {
-    {"src/patch/refine.cpp", {"includes"}},
-};
-
-bool is_debt(const fs::path& file, const std::string& what) {
-  const auto at = debts.find(file.string());
-  return at != debts.end() && at->second.contains(what);
-}
-
 std::string room_of(const std::string& include) { return include.substr(0, include.find('/')); }
 
 // The rooms that can be reached from one by permitted includes.
@@ -127,7 +117,7 @@ TEST_CASE("no room includes another that docs/architecture.md does not permit") 
       if (other == "rimline" || other == own) continue;
       CAPTURE(file.string());
       CAPTURE(include);
-      CHECK((rooms.at(own).contains(other) || is_debt(file, include)));
+      CHECK(rooms.at(own).contains(other));
       ++looked_at;
     }
   }
@@ -161,8 +151,8 @@ TEST_CASE("no file has more than 400 lines or more than 12 includes of ours") {
     for (const fs::path& file : code_below(folder)) {
       CAPTURE(file.string());
       const std::string text = read_file((root / file).string());
-      CHECK((std::count(text.begin(), text.end(), '\n') <= 400 || is_debt(file, "lines")));
-      CHECK((includes_of(file).size() <= 12 || is_debt(file, "includes")));
+      CHECK(std::count(text.begin(), text.end(), '\n') <= 400);
+      CHECK(includes_of(file).size() <= 12);
     }
   }
 }
