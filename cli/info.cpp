@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "rimline/arrange.h"
 #include "rimline/io.h"
@@ -51,13 +53,24 @@ std::string property_lines(const Cloud& cloud) {
   return text + line("properties", list.empty() ? "none" : list);
 }
 
-std::string spacing_line(const Arrangement& distinct, const Run& run) {
+// Of the largest coordinate: where that is far from 0, squares of lengths do not fit a double.
+int exponent_of(const std::vector<Point>& points) {
+  double most = 0;
+  for (const Point p : points) most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return most > 0 ? std::ilogb(most) : 0;
+}
+
+std::string spacing_line(Arrangement distinct, const Run& run) {
   constexpr int six = 6;  // what local_spacing() averages over
+  const int exponent = exponent_of(distinct.points);
+  for (Point& p : distinct.points)
+    p = {std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};
   const auto neighbours = find_neighbours(distinct.points, six, run);
   auto spacing = local_spacing(distinct.points, neighbours);
   std::sort(spacing.begin(), spacing.end());
   const auto at = [&](double share) {
-    return spacing[static_cast<std::size_t>(share * static_cast<double>(spacing.size() - 1))];
+    const auto place = static_cast<std::size_t>(share * static_cast<double>(spacing.size() - 1));
+    return std::ldexp(spacing[place], exponent);
   };
   return line("spacing",
               fmt::format("median {:.6g}, 5 % below {:.6g}, 5 % above {:.6g} (mean distance to the "
@@ -74,11 +87,11 @@ void run_info(const InfoArguments& arguments) {
   text += property_lines(cloud);
   const bool any_finite = std::any_of(cloud.points.begin(), cloud.points.end(), is_finite);
   if (any_finite) {
-    const Arrangement distinct = arrange(cloud.points, session.run());
+    Arrangement distinct = arrange(cloud.points, session.run());
     text += box_lines(cloud.points, cloud.unit);
     text += line("not finite", with_commas(static_cast<long long>(distinct.not_finite.size())));
     text += line("duplicates", with_commas(static_cast<long long>(distinct.duplicates.size())));
-    if (distinct.points.size() > 1) text += spacing_line(distinct, session.run());
+    if (distinct.points.size() > 1) text += spacing_line(std::move(distinct), session.run());
   } else {
     text += line("not finite", with_commas(static_cast<long long>(cloud.points.size())));
   }

@@ -81,6 +81,22 @@ TEST_CASE("whatever the address space, the tool ends with the same bytes or with
 }
 #endif
 
+TEST_CASE("info gives the spacing in any unit") {
+  const Folder folder;
+  for (const std::string unit : {"e0", "e200", "e-250"}) {
+    std::string text;
+    for (int i = 0; i < 400; ++i) {
+      text += std::to_string(1 + i % 20) + unit + " " + std::to_string(1 + i / 20) + unit + " 0\n";
+    }
+    write_file(folder / "grid.xyz", text);
+    const std::string said = rimline::test::rimline({"info", folder / "grid.xyz"}).out;
+    const std::size_t at = said.find("median ");
+    REQUIRE(at != std::string::npos);
+    const double median = std::stod(said.substr(at + 7));
+    CHECK(median / std::stod("1" + unit) == doctest::Approx(1.138).epsilon(0.001));  // (4 + 2 sqrt 2) / 6
+  }
+}
+
 TEST_CASE("with its standard streams closed the tool writes the same files, and nothing into them") {
   const Folder folder;
   const std::string input = sample(folder, "flat-disc", "2000");
