@@ -26,7 +26,7 @@ struct Frame {
 };
 
 Frame make_frame(Point normal) {
-  const Point axis = std::abs(normal.x) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0};
+  const Point axis = std::abs(normal.x) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0};  // [guard]
   const Point side = cross(normal, axis);
   const Point u = (1 / norm(side)) * side;
   return {normal, u, cross(normal, u)};
@@ -78,7 +78,7 @@ class StarFinder {
 
 Stars find_stars(Points points, const Neighbours& neighbours, std::span<const Index> label,
                  const StarOptions& options, const Run& run) {
-  constexpr std::size_t slice = 1024;
+  constexpr std::size_t slice = 1024;  // [speed]
   struct Part {
     std::vector<Index> neighbours, counts;
     std::vector<double> weights;
