@@ -110,9 +110,9 @@ inline constexpr double range_fewest_jumps = 0.005;
 inline constexpr double range_most_slight = 0.0005;
 // sine: neighbours of a sample nearer to the line of its row are of the row. [hand: 30 degrees]
 inline constexpr double range_in_line = 0.5;
-// 1: spread of steps and gaps below which a view is looked for with more samples. [hand: other samplings have
+// 1: spread of steps below which gaps between rows and more samples are looked at. [hand: other samplings have
 // 0.2 and more]
-inline constexpr double range_nearly = 0.1;
+inline constexpr double range_nearly = 0.18;
 // count: points of a range image. [hand; trials not recorded]
 inline constexpr int range_fewest_points = 200;
 

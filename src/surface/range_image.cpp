@@ -94,9 +94,13 @@ class Look {
   // The spread of these distances over their median, and the same of the gaps between rows: 0 for a raster.
   // The steps along rows alone do not tell where across them the view is from.
   double spread(Point view) const {
-    std::vector<double> all = nearest(view), gaps = to_next_row(view);
-    if (quantile(all, 0.5) < least_ || gaps.empty()) return 1e300;  // [layout] a spread
-    return relative_spread(all) + relative_spread(gaps);
+    std::vector<double> all = nearest(view);
+    if (quantile(all, 0.5) < least_) return 1e300;  // [layout] a spread
+    constexpr double most = 4;                      // of the gaps, which are asked only where steps are even
+    const double along_rows = relative_spread(all);
+    if (along_rows > model::range_nearly) return along_rows + most;
+    std::vector<double> gaps = to_next_row(view);
+    return along_rows + (gaps.empty() ? most : std::min(most, relative_spread(gaps)));
   }
 
   // The median of these distances, where nearly all are equal to it.
