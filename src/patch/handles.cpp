@@ -8,10 +8,10 @@
 #include <tuple>
 #include <utility>
 
+#include "base/union_find.h"
 #include "patch/close_gap.h"
 #include "patch/short_cycle.h"
 #include "rimline/find_genetic_loop.h"
-#include "base/union_find.h"
 
 namespace rimline {
 namespace {
@@ -144,9 +144,8 @@ bool touches_rim(const EditableMesh& mesh, const std::vector<Index>& rim_of, con
 }
 
 // Curves through one vertex of each handle, short ones looked for from their own vertices again.
-std::vector<Curve> short_curves(const Capped& surface, Index vertex, std::size_t triangles) {
-  constexpr std::size_t work = 4'000'000;  // triangles looked at
-  std::size_t left = std::max<std::size_t>(4, work / triangles);
+// `left`: how many more trees may be grown.
+std::vector<Curve> short_curves(const Capped& surface, Index vertex, std::size_t& left) {
   std::set<Curve> found;
   const auto look = [&](Index v) {
     CyclesAt cycles = cycles_at(surface, v);
@@ -186,10 +185,12 @@ HandleRepair describe(const EditableMesh& mesh, const Curve& curve, const Change
 void repair_component(EditableMesh& mesh, const std::vector<Index>& rim_of, Index vertex,
                       std::size_t triangles, std::vector<HandleRepair>& repairs) {
   constexpr int most_rounds = 16;
+  constexpr std::size_t work = 300'000;  // triangles looked at, so that no surface takes long
+  std::size_t left = std::max<std::size_t>(8, work / triangles);
   const std::size_t budget = std::max(least_budget, triangles / 100);
   for (int round = 0; round < most_rounds; ++round) {
     bool mended = false;
-    for (const Curve& curve : short_curves({mesh, rim_of}, vertex, triangles)) {
+    for (const Curve& curve : short_curves({mesh, rim_of}, vertex, left)) {
       if (touches_rim(mesh, rim_of, curve)) continue;
       const std::optional<Change> change = cut(mesh, curve, budget);
       if (!change) continue;

@@ -3,33 +3,34 @@
 
 #include <algorithm>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
-#include "mesh/triangulation.h"
 #include "base/union_find.h"
+#include "mesh/triangulation.h"
 
 namespace rimline {
 namespace {
 
-// Steps from the root, and the vertex before.
+// Steps from the root, and the vertex before; -1 and none where it does not come.
 struct Tree {
   std::vector<Index> reached;  // by distance
-  std::unordered_map<Index, std::pair<int, Index>> at;
-
-  int distance(Index v) const { return at.at(v).first; }
-  Index parent(Index v) const { return at.at(v).second; }
+  std::vector<int> distance;
+  std::vector<Index> parent;
 };
 
 Tree grow(const EditableMesh& mesh, Index root) {
-  Tree tree;
-  tree.at[root] = {0, none};
-  tree.reached.push_back(root);
+  const auto vertices = static_cast<std::size_t>(mesh.vertices());
+  Tree tree{{root}, std::vector<int>(vertices, -1), std::vector<Index>(vertices, none)};
+  tree.distance[root] = 0;
   for (std::size_t i = 0; i < tree.reached.size(); ++i) {
     const Index v = tree.reached[i];
-    const int beyond = tree.distance(v) + 1;
-    for (const Index w : mesh.neighbours(v)) {
-      if (tree.at.emplace(w, std::pair(beyond, v)).second) tree.reached.push_back(w);
+    for (const Index t : mesh.star(v)) {
+      for (const Index w : mesh.triangle(t)) {
+        if (tree.distance[w] >= 0) continue;
+        tree.distance[w] = tree.distance[v] + 1;
+        tree.parent[w] = v;
+        tree.reached.push_back(w);
+      }
     }
   }
   return tree;
@@ -48,12 +49,12 @@ std::vector<Crossing> crossings_of(const Capped& surface, const Tree& tree) {
   for (const Index v : tree.reached) {
     for (const Index t : mesh.star(v)) {
       for (const Index w : mesh.triangle(t)) {
-        if (w == v || tree.parent(v) == w || tree.parent(w) == v) continue;
+        if (w == v || tree.parent[v] == w || tree.parent[w] == v) continue;
         const Index other = mesh.across(t, v, w);
         // Each edge once: from its lower end and its lower triangle.
         if (w < v || (other != none && other < t)) continue;
         const Index beyond = other != none ? other : mesh.places() + surface.rim_of[v];
-        crossings.push_back({v, w, tree.distance(v) + tree.distance(w) + 1, t, beyond});
+        crossings.push_back({v, w, tree.distance[v] + tree.distance[w] + 1, t, beyond});
       }
     }
   }
@@ -67,8 +68,8 @@ std::vector<Crossing> crossings_of(const Capped& surface, const Tree& tree) {
 std::vector<Index> curve_of(const Tree& tree, const Crossing& crossing) {
   std::vector<Index> to_a{crossing.a}, to_b{crossing.b};
   while (to_a.back() != to_b.back()) {
-    std::vector<Index>& longer = tree.distance(to_a.back()) >= tree.distance(to_b.back()) ? to_a : to_b;
-    longer.push_back(tree.parent(longer.back()));
+    std::vector<Index>& longer = tree.distance[to_a.back()] >= tree.distance[to_b.back()] ? to_a : to_b;
+    longer.push_back(tree.parent[longer.back()]);
   }
   to_b.pop_back();
   to_a.insert(to_a.end(), to_b.rbegin(), to_b.rend());
