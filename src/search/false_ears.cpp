@@ -2,7 +2,6 @@
 #include "search/false_ears.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "base/model.h"
@@ -10,6 +9,7 @@
 #include "evidence/jaggedness.h"
 #include "evidence/probability.h"
 #include "evidence/rim_probability.h"
+#include "surface/triangle_order.h"
 
 namespace rimline {
 namespace {
@@ -42,9 +42,11 @@ std::vector<Ear> find_false_ears(const TriangleSet& set, const Selection& select
       if (odds > 0) ears.push_back({odds, t, behind});
     }
   }
-  std::sort(ears.begin(), ears.end(), [](const Ear& a, const Ear& b) {
-    return std::tuple(-a.log_odds, a.triangle) < std::tuple(-b.log_odds, b.triangle);
-  });
+  std::sort(ears.begin(), ears.end(),
+            [&, is_before = TriangleOrder(set.points())](const Ear& a, const Ear& b) {
+              return a.log_odds != b.log_odds ? a.log_odds > b.log_odds
+                                              : is_before(set.triangle(a.triangle), set.triangle(b.triangle));
+            });
   // A second ear with the same third corner would pinch the rim there.
   std::erase_if(ears, [&](const Ear& ear) { return std::exchange(on_rim[ear.behind], 1) != 0; });
   return ears;

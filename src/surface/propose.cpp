@@ -15,6 +15,7 @@
 #include "base/parallel.h"
 #include "base/prefault.h"
 #include "base/vec.h"
+#include "surface/triangle_order.h"
 
 namespace rimline {
 namespace {
@@ -24,7 +25,7 @@ struct Proposal {
   int votes;
   double size;  // circumradius over spacing
 
-  auto rank() const { return std::tuple(-votes, size, triangle); }
+  auto rank() const { return std::tuple(-votes, size); }
 };
 
 // The size of a triangle: its circumradius over the largest spacing at its corners.
@@ -177,8 +178,10 @@ class Proposer {
 
   void take_fitting(std::vector<Proposal> rest, const Run& run) {
     tbb::task_arena(thread_count(run)).execute([&] {
-      tbb::parallel_sort(rest.begin(), rest.end(),
-                         [](const auto& x, const auto& y) { return x.rank() < y.rank(); });
+      tbb::parallel_sort(
+          rest.begin(), rest.end(), [is_before = TriangleOrder(set_.points())](const auto& x, const auto& y) {
+            return x.rank() != y.rank() ? x.rank() < y.rank() : is_before(x.triangle, y.triangle);
+          });
     });
     for (const Proposal& p : rest) {
       if (set_.can_add(p.triangle)) set_.add(p.triangle);
@@ -229,7 +232,14 @@ class Proposer {
   TriangleSet& set_;
   const std::vector<double>& spacing_;
   double largest_;
-  std::priority_queue<Ear, std::vector<Ear>, std::greater<>> queue_;
+  // The smallest on top, of equal ones the first by place.
+  struct IsBehind {
+    TriangleOrder is_before;
+    bool operator()(const Ear& a, const Ear& b) const {
+      return a.first != b.first ? a.first > b.first : is_before(b.second, a.second);
+    }
+  };
+  std::priority_queue<Ear, std::vector<Ear>, IsBehind> queue_{IsBehind{TriangleOrder(set_.points())}};
 };
 
 }  // namespace

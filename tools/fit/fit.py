@@ -24,7 +24,7 @@ def read_model():
     text = (pathlib.Path(model_table.__file__).resolve().parents[2] / "src/base/model.h").read_text()
     values = {}
     for _, struct, name, number, _ in model_table.coefficients(text):
-        values[struct, name] = float(number.rstrip("f"))
+        values[struct, name] = float(number.rstrip("fF"))
     return values
 
 
