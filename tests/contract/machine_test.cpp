@@ -117,7 +117,7 @@ TEST_CASE("with its standard streams closed the tool writes the same files, and 
             .status == 0);
 }
 
-TEST_CASE("a terminal that hangs up leaves no file") {
+TEST_CASE("a terminal that hangs up leaves no file, or whole ones where all was written before") {
   const Folder folder;
   const std::string input = sample(folder, "bumpy-square", "60000");
   for (const std::string stage : {"boundary", "write"}) {
@@ -129,6 +129,10 @@ TEST_CASE("a terminal that hangs up leaves no file") {
              .signal_when = [&](const std::string& err, bool) { return err.find(stage) != std::string::npos; }});
     CAPTURE(stage);
     CAPTURE(stopped.err);
+    if (stage == "write" && stopped.status == 0) {  // the signal came after the last file
+      CHECK(folder.names() == Names{"loops.json", "mesh.ply", "sample.ply"});
+      continue;
+    }
     CHECK(stopped.status == 5);
     CHECK(folder.names() == Names{"sample.ply"});
   }
