@@ -17,6 +17,8 @@ namespace rimline::cli {
 namespace {
 
 constexpr int most_threads = 1024;
+const std::vector<std::string> panel_names = {"points",   "candidates", "probability", "chromosome",
+                                              "boundary", "map",        "mesh"};
 constexpr int least_panel = 100, most_panel = 1240;
 
 template <class T>
@@ -43,30 +45,31 @@ std::string range_of(const Field<T>& field) {
   }
 }
 
-// field name -> its default in a preset.
-std::map<std::string, std::string> defaults_of(Preset preset) {
-  std::map<std::string, std::string> defaults;
-  Options options = preset_options(preset);
-  visit_fields(options, [&](const auto& field) { defaults[field.name] = text_of(field.value); });
-  return defaults;
-}
-
-// "Default 40." or "Default log; paper: printed."
-std::string default_text(const std::string& field_name) {
-  static const auto presets = [] {
-    std::map<std::string, std::map<std::string, std::string>> all;
-    for (const auto& preset_name : names_of<Preset>()) {
-      all[preset_name] = defaults_of(parse_enum<Preset>("--preset", preset_name));
-    }
-    return all;
-  }();
-  const std::string& standard = presets.at("default").at(field_name);
-  std::string text = "Default " + standard;
-  for (const auto& [preset_name, defaults] : presets) {
-    const std::string& value = defaults.at(field_name);
+// "Default 40." or "Default capped; paper-log: log.": of the presets that use the field.
+template <class T>
+std::string default_text(const Field<T>& field) {
+  std::string text, standard;
+  for (const auto& preset_name : names_of<Preset>()) {
+    Options options = preset_options(parse_enum<Preset>("--preset", preset_name));
+    if (field.used_by == UsedBy::Capped) options.loops.score_form = ScoreForm::Capped;
+    if (!counts(field.used_by, options)) continue;
+    std::string value;
+    visit_fields(options, [&](const auto& candidate) {
+      if (std::string_view(candidate.name) == field.name) value = text_of(candidate.value);
+    });
+    if (text.empty()) text = "Default " + (standard = value);
     if (value != standard) text += fmt::format("; {}: {}", preset_name, value);
   }
   return text + ".";
+}
+
+// "Of the preset default alone. Default 6."
+template <class T>
+std::string where_and_default(const Field<T>& field) {
+  std::string where = where_used(field.used_by);
+  if (where.empty()) return default_text(field);
+  where.front() = 'O';
+  return where + ". " + default_text(field);
 }
 
 template <class Struct>
@@ -94,13 +97,13 @@ void add_fields(CLI::App& command, MethodArguments& arguments) {
           .add_flag_callback(
               flag_name(field.name),
               [&arguments, id = std::string(field.name)] { arguments.fields[id] = "on"; },
-              fmt::format("{}. {}", field.help, default_text(field.name)))
+              fmt::format("{}. {}", field.help, where_and_default(field)))
           ->group(group_of(options, &field.value));
       return;
     }
     const std::string value = std::is_enum_v<T> ? "NAME" : std::is_integral_v<T> ? "N" : "X";
     const std::string description =
-        fmt::format("{}. {} {}", field.help, range_of(field), default_text(field.name));
+        fmt::format("{}. {} {}", field.help, range_of(field), where_and_default(field));
     // Parsed here only to refuse a bad value at once; options() parses it again, over the chosen preset.
     auto check = [&arguments, id = std::string(field.name)](const std::string& text) {
       Options trial;
@@ -111,6 +114,38 @@ void add_fields(CLI::App& command, MethodArguments& arguments) {
     };
     add_parsed(command, flag_name(field.name), value, description, group_of(options, &field.value), check);
   });
+}
+
+[[noreturn]] void refuse(const std::string& flag, UsedBy used_by, const Options& options) {
+  const std::string chosen = used_by == UsedBy::Capped && options.preset != Preset::Default
+                                 ? std::string("score form ") + name(options.loops.score_form)
+                                 : std::string("preset ") + name(options.preset);
+  throw Error(ErrorCode::BadOption,
+              fmt::format("{} is {}; the {} does not use it", flag, where_used(used_by), chosen));
+}
+
+// What was given and does not count is refused: nobody should believe that it did something.
+void check_counts(const MethodArguments& arguments, const Options& options) {
+  const bool has_loops = !arguments.use_loops.empty();
+  const auto check = [&](const std::string& flag, UsedBy used_by) {
+    if (!counts(used_by, options)) refuse(flag, used_by, options);
+  };
+  visit_fields(options, [&](const auto& field) {
+    if (!arguments.fields.contains(field.name)) return;
+    check(flag_name(field.name), field.used_by);
+    const bool searches = field.used_by == UsedBy::Paper && holds(options.loops, &field.value) &&
+                          static_cast<const void*>(&field.value) != &options.loops.score_form;
+    if (has_loops && searches) {
+      throw Error(ErrorCode::BadOption,
+                  flag_name(field.name) + " is for the search of a loop; --use-loops gives the loops");
+    }
+  });
+  if (arguments.holes) check("--holes", UsedBy::Default);
+  if (arguments.corners) check("--corners", UsedBy::Default);
+  if (arguments.history.empty()) return;
+  check("--history", UsedBy::Paper);
+  if (has_loops)
+    throw Error(ErrorCode::BadOption, "--history is of the search of a loop; --use-loops gives the loops");
 }
 
 }  // namespace
@@ -124,7 +159,20 @@ Options MethodArguments::options() const {
   if (up) result.mesh.up = *up;
   if (holes) result.mesh.holes = *holes;
   if (corners) result.map.corners = *corners;
+  check_counts(*this, result);
   return result;
+}
+
+std::vector<std::string> MethodArguments::flags_of_mesh() const {
+  std::vector<std::string> flags;
+  const Options options = preset_options(common.preset);
+  visit_fields(options, [&](const auto& field) {
+    const bool of_mesh = holds(options.map, &field.value) || holds(options.mesh, &field.value);
+    if (of_mesh && fields.contains(field.name)) flags.push_back(flag_name(field.name));
+  });
+  if (holes) flags.emplace_back("--holes");
+  if (corners) flags.emplace_back("--corners");
+  return flags;
 }
 
 CLI::App& add_subcommand(CLI::App& tool, const std::string& name, const std::string& description,
@@ -215,6 +263,10 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
            "Take the boundary from this file instead of finding one; only `points` of each loop is needed");
   add_path(command, "--report", arguments.report, "REPORT.json",
            "Write options, counts, measures, seconds and memory (JSON); - for standard output");
+  add_path(
+      command, "--history", arguments.history, "HISTORY.json",
+      "Write the best chromosome of every generation (JSON); - for standard output. Of the presets paper and "
+      "paper-log alone.");
   add_path(command, "--picture", arguments.picture, "OUT.png|svg", "Draw what was found, stage by stage");
   add_parsed(command, "--picture-size", "N",
              fmt::format("Width and height of each of its panels in pixels. From {} to {}. Default {}.",
@@ -223,6 +275,11 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
                arguments.picture_size =
                    static_cast<int>(parse_whole("--picture-size", text, least_panel, most_panel));
              });
+  add_parsed(command, "--panels", "NAME,...",
+             fmt::format("The panels of --picture and their order: {}. Default: all that the run has.",
+                         fmt::join(panel_names, ", ")),
+             files,
+             [&](const std::string& text) { arguments.panels = parse_list("--panels", text, panel_names); });
   add_parsed(command, "--up", "X,Y,Z",
              "The mesh faces this way on average where the points have no normals, and the picture stands "
              "this way. Default 0,0,1.",
@@ -231,7 +288,7 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
   add_parsed(command, "--holes", "keep|fill|fill:MAX",
              "Holes that are filled by triangles; the others are loops of the mesh's boundary. fill:30 fills "
              "those of at most 30 points, fill:2.5u those whose rim is at most 2.5 long, in units of the "
-             "input. Default keep [ours]",
+             "input [ours]. Of the preset default alone; the others fill all through the map. Default keep.",
              "Mesh (section 5)", [&](const std::string& text) {
                try {
                  arguments.holes = parse_holes(text);
@@ -241,7 +298,7 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
              });
   add_parsed(command, "--corners", "A,B,C,D",
              "Corners of the domains square and rectangle: ids of four points on one outer loop. Default: "
-             "where the loop turns most [ours]",
+             "where the loop turns most [ours]. Of the preset default alone.",
              "Map (section 5)",
              [&](const std::string& text) { arguments.corners = parse_corners("--corners", text); });
   add_fields(command, arguments);

@@ -36,18 +36,22 @@ struct Input {
 struct MethodArguments {
   Common common;
   Input input;
-  std::string output, loops, report, picture;
+  std::string output, loops, report, picture, history;
   std::string use_loops;
   std::optional<Point> up;
   std::optional<HolePolicy> holes;
   std::optional<std::array<Index, 4>> corners;
   std::string reference, uv_picture;          // of reconstruct alone
   bool distortion = false;                    // likewise
+  std::vector<std::string> panels;            // of the picture; none for all
   int picture_size = 620;                     // pixels of each panel
   std::map<std::string, std::string> fields;  // options given as flags: the field's name, its text
 
-  // The preset's options, with what was given as flags on top.
+  // The preset's options, with what was given as flags on top. Throws BadOption for a flag that does not
+  // count under them.
   Options options() const;
+  // Flags that were given and count only where a map or a mesh is made.
+  std::vector<std::string> flags_of_mesh() const;
 };
 
 // Adds a subcommand with its help: `example` stands on top of it. `--help` and `--version` come with it.
@@ -65,7 +69,7 @@ void add_input(CLI::App& command, Input& input);
 void add_output(CLI::App& command, std::string& output, const std::string& value,
                 const std::string& description, bool required);
 
-// --loops, --use-loops, --report, --picture, --up and one flag per field of the options.
+// --loops, --use-loops, --report, --history, --picture, --up and one flag per field of the options.
 void add_method(CLI::App& command, MethodArguments& arguments);
 
 // --reference, --distortion, --uv-picture: what only a mesh can give.

@@ -10,11 +10,15 @@ namespace rimline::cli {
 namespace {
 
 void run_boundary(const MethodArguments& arguments) {
+  const Options options = arguments.options();
   const auto outputs = outputs_of(arguments, {"--output", arguments.output, {"ply"}});
   check_outputs(outputs);
   Session session(arguments.common);
   Inputs in = read_inputs(arguments, session);
-  const BoundaryResult result = find_boundary(in.cloud.points, arguments.options(), session.run(), in.given);
+  BoundaryResult result = find_boundary(in.cloud.points, options, session.run(), in.given);
+  for (const std::string& flag : arguments.flags_of_mesh()) {
+    result.report.warnings.push_back(flag + " counts in parameterize and reconstruct alone");
+  }
   session.clock().enter(Stage::Write);
   if (!arguments.output.empty()) {
     put_boundary_columns(in.cloud, result);
@@ -24,7 +28,8 @@ void run_boundary(const MethodArguments& arguments) {
          {.points = in.cloud.points,
           .boundary = result,
           .up = arguments.up,
-          .panel_size = arguments.picture_size},
+          .panel_size = arguments.picture_size,
+          .panels = arguments.panels},
          told(in, result.report), session);
 }
 
@@ -36,10 +41,11 @@ void add_boundary(CLI::App& tool) {
       tool, "boundary", "Find the boundary of the surface that the points were taken from, as ordered loops.",
       "rimline boundary scan.ply -o points.ply --loops loops.json");
   add_input(command, arguments->input);
-  add_output(command, arguments->output, "POINTS.ply",
-             "The input with boundary, loop, candidate, p_value and score for every point; - for standard "
-             "output",
-             false);
+  add_output(
+      command, arguments->output, "POINTS.ply",
+      "The input with boundary, loop, candidate, p_value and score for every point, and what the preset "
+      "adds; - for standard output",
+      false);
   add_method(command, *arguments);
   command.callback([arguments] { run_boundary(*arguments); });
 }

@@ -13,6 +13,7 @@ void put_boundary_columns(Cloud& cloud, const BoundaryResult& result) {
   set_column(cloud, make_column("candidate", result.candidate));
   set_column(cloud, make_column("p_value", result.p_value));
   set_column(cloud, make_column("score", result.score));
+  if (!result.chromosome.empty()) set_column(cloud, make_column("chromosome", result.chromosome));
   if (result.label.empty()) return;
   std::vector<std::uint8_t> label(result.label.size());
   std::transform(result.label.begin(), result.label.end(), label.begin(),

@@ -15,7 +15,8 @@ std::vector<Output> outputs_of(const MethodArguments& arguments, const Output& m
           {"--loops", arguments.loops, {}, true, check_loops_path},
           {"--picture", arguments.picture, {"png", "svg"}, false},
           {"--uv-picture", arguments.uv_picture, {"png", "svg"}, false},
-          {"--report", arguments.report, {"json"}}};
+          {"--report", arguments.report, {"json"}},
+          {"--history", arguments.history, {"json"}}};
 }
 
 Inputs read_inputs(const MethodArguments& arguments, Session& session) {
@@ -70,6 +71,9 @@ void finish(const MethodArguments& arguments, const std::vector<Output>& outputs
   run.check_cancel();
   if (!arguments.loops.empty()) {
     write_loops(arguments.loops, report.loops, scene.points.first(report.points.input), run);
+  }
+  if (!arguments.history.empty()) {
+    write_text(arguments.history, history_to_json(scene.boundary.history, report.points.input));
   }
   if (!arguments.picture.empty()) write_picture(arguments.picture, scene, run);
   if (!arguments.uv_picture.empty()) write_uv_picture(arguments.uv_picture, scene, run);

@@ -10,12 +10,12 @@ namespace rimline::cli {
 namespace {
 
 void run_parameterize(const MethodArguments& arguments) {
+  const Options options = arguments.options();
   const auto outputs = outputs_of(arguments, {"--output", arguments.output, {"ply"}});
   check_outputs(outputs);
   Session session(arguments.common);
   Inputs in = read_inputs(arguments, session);
-  const ParameterizeResult result =
-      parameterize(in.cloud.points, arguments.options(), session.run(), in.given);
+  const ParameterizeResult result = parameterize(in.cloud.points, options, session.run(), in.given);
   session.clock().enter(Stage::Write);
   put_map_columns(in.cloud, result.uv, result.boundary.boundary);
   write_cloud(arguments.output, in.cloud, session.run());
@@ -24,7 +24,8 @@ void run_parameterize(const MethodArguments& arguments) {
           .boundary = result.boundary,
           .uv = result.uv,
           .up = arguments.up,
-          .panel_size = arguments.picture_size},
+          .panel_size = arguments.picture_size,
+          .panels = arguments.panels},
          told(in, result.boundary.report), session);
 }
 

@@ -140,6 +140,17 @@ std::size_t parse_choice(const std::string& flag, const std::string& text,
   return static_cast<std::size_t>(found - names.begin());
 }
 
+std::vector<std::string> parse_list(const std::string& flag, const std::string& text,
+                                    const std::vector<std::string>& names) {
+  std::vector<std::string> list;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    list.push_back(names[parse_choice(flag, text.substr(begin, end - begin), names)]);
+    begin = end + 1;
+  }
+  return list;
+}
+
 std::string flag_name(const std::string& field_name) {
   std::string flag = "--" + field_name;
   std::replace(flag.begin(), flag.end(), '_', '-');

@@ -33,6 +33,10 @@ std::array<Index, 4> parse_corners(const std::string& flag, const std::string& t
 std::size_t parse_choice(const std::string& flag, const std::string& text,
                          const std::vector<std::string>& names);
 
+// Some of `names`, with commas between them.
+std::vector<std::string> parse_list(const std::string& flag, const std::string& text,
+                                    const std::vector<std::string>& names);
+
 // "length_exponent" -> "--length-exponent".
 std::string flag_name(const std::string& field_name);
 

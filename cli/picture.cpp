@@ -194,6 +194,16 @@ void panel_candidates(cairo_t* cairo, const Stage3d& stage, const Raster& screen
   paint(cairo, raster);
 }
 
+void panel_chromosome(cairo_t* cairo, const Stage3d& stage, const Raster& screen, const Run& run) {
+  Raster raster = screen;
+  const auto& chromosome = stage.scene.boundary.chromosome;
+  draw_points(raster, stage, run, [&](std::size_t i, double nearness) {
+    if (chromosome[i] != 0) return mix(mix(outer_colour, grey_far, 0.35), outer_colour, nearness);
+    return mix(grey_far, grey_near, nearness);
+  });
+  paint(cairo, raster);
+}
+
 void panel_probability(cairo_t* cairo, const Stage3d& stage, const Raster& screen, const Run& run) {
   Raster raster = screen;
   const auto& probability = stage.scene.boundary.boundary_probability;
@@ -285,8 +295,12 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
   } else {
     const auto likely =
         std::count_if(probability.begin(), probability.end(), [](float p) { return p > 0.5F; });
-    panels.push_back({"boundary probability", plural(likely, "point") + " above 0.5",
+    panels.push_back({"probability", plural(likely, "point") + " above 0.5",
                       [&](cairo_t* cairo) { panel_probability(cairo, stage, screen, run); }});
+  }
+  if (!scene.boundary.chromosome.empty()) {
+    panels.push_back({"chromosome", plural(report.search.winner_points, "point"),
+                      [&](cairo_t* cairo) { panel_chromosome(cairo, stage, screen, run); }});
   }
   std::size_t on_loops = 0;
   for (const Loop& loop : scene.boundary.loops) on_loops += loop.points.size();
@@ -302,6 +316,20 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
                       [&](cairo_t* cairo) { panel_mesh(cairo, stage, run); }});
   }
   return panels;
+}
+
+// Those that were asked for, in that order; all where none was. Throws BadOption for one that is not there.
+std::vector<Panel> chosen(const std::vector<Panel>& panels, const std::vector<std::string>& names) {
+  if (names.empty()) return panels;
+  std::vector<Panel> result;
+  for (const std::string& wanted : names) {
+    const auto panel = std::ranges::find(panels, wanted, &Panel::title);
+    if (panel == panels.end()) {
+      throw Error(ErrorCode::BadOption, fmt::format("--panels: this run has no panel '{}'", wanted));
+    }
+    result.push_back(*panel);
+  }
+  return result;
 }
 
 void draw_all(cairo_t* cairo, const std::vector<Panel>& panels, const Run& run) {
@@ -323,7 +351,7 @@ void draw_all(cairo_t* cairo, const std::vector<Panel>& panels, const Run& run) 
 void write_picture(const std::string& path, const Scene& scene, const Run& run) {
   const Stage3d stage = arrange_stage(scene, run);
   const Raster screen = solid(stage, run);
-  const auto panels = panels_of(stage, screen, run);
+  const auto panels = chosen(panels_of(stage, screen, run), scene.panels);
   const int width = gap + static_cast<int>(panels.size()) * (panel + gap), height = head + panel + gap;
   write_drawing(path, width, height, static_cast<double>(scene.panel_size) / panel,
                 [&](cairo_t* cairo) { draw_all(cairo, panels, run); });

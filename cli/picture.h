@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "rimline/mesh.h"
 #include "rimline/pipeline.h"
@@ -19,7 +20,8 @@ struct Scene {
   std::span<const UV> uv = {};               // empty: no panel for the map
   std::span<const Triangle> triangles = {};  // empty: no panel for the mesh
   std::optional<Point> up = {};
-  int panel_size = 620;  // width and height of each panel's drawing, in pixels
+  int panel_size = 620;                  // width and height of each panel's drawing, in pixels
+  std::vector<std::string> panels = {};  // their titles, in order; empty for all that there are
 };
 
 // PNG or SVG by the ending. Points and surfaces are images in both, so that a million points is no trouble;

@@ -18,7 +18,7 @@ namespace {
 std::vector<Column> put_mesh_columns(const MethodArguments& arguments, const ReconstructResult& result,
                                      Cloud& cloud) {
   std::vector<Column> of_faces;
-  if (arguments.options().mesh.holes.fill) {
+  if (arguments.holes && arguments.holes->fill) {
     std::vector<std::uint8_t> filled(cloud.points.size() - result.added.size(), 0);
     filled.resize(cloud.points.size(), 1);
     set_column(cloud, make_column("filled", filled));
@@ -49,9 +49,10 @@ BoundaryResult nothing_found(const MethodArguments& arguments, const Inputs& in,
   return result;
 }
 
-ReconstructResult mesh_or_write_rest(const MethodArguments& arguments, const Inputs& in, Session& session) {
+ReconstructResult mesh_or_write_rest(const MethodArguments& arguments, const Options& options,
+                                     const Inputs& in, Session& session) {
   try {
-    return reconstruct(in.cloud.points, arguments.options(), session.run(), in.given);
+    return reconstruct(in.cloud.points, options, session.run(), in.given);
   } catch (const NoMesh& error) {
     write_without_mesh(arguments, in, error.found, session);
     throw;
@@ -63,11 +64,12 @@ ReconstructResult mesh_or_write_rest(const MethodArguments& arguments, const Inp
 }
 
 void run_reconstruct(const MethodArguments& arguments) {
+  const Options options = arguments.options();
   const auto outputs = outputs_of(arguments, {"--output", arguments.output, {}, true, check_mesh_path});
   check_outputs(outputs);
   Session session(arguments.common);
   Inputs in = read_inputs(arguments, session);
-  ReconstructResult result = mesh_or_write_rest(arguments, in, session);
+  ReconstructResult result = mesh_or_write_rest(arguments, options, in, session);
   session.clock().enter(Stage::Write);
   add_fill_vertices(in.cloud, result.added, result.boundary);
   put_map_columns(in.cloud, result.uv, result.boundary.boundary);
@@ -83,7 +85,8 @@ void run_reconstruct(const MethodArguments& arguments) {
           .uv = result.uv,
           .triangles = result.triangles,
           .up = arguments.up,
-          .panel_size = arguments.picture_size},
+          .panel_size = arguments.picture_size,
+          .panels = arguments.panels},
          report, session);
 }
 

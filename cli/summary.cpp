@@ -35,6 +35,16 @@ std::string loop_lines(const std::vector<Loop>& loops) {
   return text;
 }
 
+// What Algorithms 3.1 and 3.2 found; nothing where they did not run.
+std::string search_line(const SearchSummary& search) {
+  if (search.starts == 0) return "";
+  return line("search",
+              fmt::format("{} distinct paths from {} starts; {}, {} points, e(C) {:.4g}",
+                          with_commas(static_cast<long long>(search.distinct_paths)),
+                          with_commas(static_cast<long long>(search.starts)), name(search.loop_from),
+                          with_commas(static_cast<long long>(search.winner_points)), search.winner_fitness));
+}
+
 // "7 edges", "more than 100,000 self-intersections"; "" for none.
 std::string counted(std::size_t count, const char* one, const char* many, bool more = false) {
   if (count == 0) return "";
@@ -122,6 +132,7 @@ std::string summary(const Report& report, const std::string& files, double secon
   text += line("spacing", fmt::format("{:.4g} on average, {:.4g} to {:.4g}", report.spacing.mean,
                                       report.spacing.least, report.spacing.most));
   text += line("candidates", with_commas(report.candidates));
+  text += search_line(report.search);
   text += loop_lines(report.loops);
   if (report.has_map) text += map_line(report);
   if (report.has_mesh) {

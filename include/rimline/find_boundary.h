@@ -7,6 +7,7 @@
 
 #include "rimline/boundary_loops.h"
 #include "rimline/given.h"
+#include "rimline/history.h"
 #include "rimline/mesh.h"
 #include "rimline/options.h"
 #include "rimline/points.h"
@@ -26,7 +27,10 @@ struct BoundaryResult {
   std::vector<float>
       boundary_probability;       // that it lies on a boundary, calibrated; empty in the paper's presets
   std::vector<PointLabel> label;  // what the point is; empty in the paper's presets
-  std::vector<Loop> loops;
+  std::vector<std::uint8_t> chromosome;  // 1 where the winner's bit is set; empty but where the paper's
+                                         // presets looked for a loop
+  SearchHistory history;                 // likewise
+  std::vector<Loop> loops;  // those of the paper's presets, and those made by hand, have the probability NaN
   Report report;
 };
 

@@ -17,17 +17,18 @@ namespace rimline {
 // A named set of defaults.
 enum class Preset {
   Default,   // the best we know
-  Paper,     // Maes & Bultheel 2004, step by step, score as printed in eq. (2)
+  Paper,     // Maes & Bultheel 2004, step by step, with the approximation of eq. (2) that gives its figures
   PaperLog,  // the same with the logarithm of eq. (2)
 };
 
 // How eq. (2) enters the fitness, eq. (3).
 enum class ScoreForm {
   Printed,  // 1 / p: spans nine decades over one straight edge, so one corner can decide
+  Capped,   // 1 / max(p, score_cap): an approximation, as section 3.3 says that it used  [docs/departures.md]
   Log,      // -log p  [ours, docs/departures.md]
 };
 
-// "default", "paper", "paper-log"; "printed", "log".
+// "default", "paper", "paper-log"; "printed", "capped", "log".
 const char* name(Preset preset);
 const char* name(ScoreForm form);
 
@@ -41,12 +42,13 @@ struct BoundaryOptions {
 // Section 3: from candidates to the boundary.
 struct LoopOptions {
   ScoreForm score_form = ScoreForm::Log;
-  int path_k = 40;                     // neighbours in Algorithm 3.1 (section 4; the paper's teapot wants 10)
-  int path_threshold = 0;              // least points of a closed path; 0 takes path_k + 1 (section 3.2)
-  double length_exponent = 0.9;        // of the number of points in eq. (3)
-  int population = 100;                // best paths that enter Algorithm 3.2
-  int generations = 100;               // K of Algorithm 3.2 (section 4)
-  double mutation_probability = 1e-4;  // per bit; the paper says "low"  [ours]
+  double score_cap = 1e-3;       // least p that the score form Capped tells from others  [docs/paper.md]
+  int path_k = 40;               // neighbours in Algorithm 3.1 (section 4; the paper's teapot wants 10)
+  int path_threshold = 0;        // least points of a closed path; 0 takes path_k + 1 (section 3.2)
+  double length_exponent = 0.9;  // of the number of points in eq. (3)
+  int population = 100;          // best paths that enter Algorithm 3.2
+  int generations = 100;         // K of Algorithm 3.2 (section 4)
+  double mutation_probability = 1e-3;           // per bit; the paper says "low"  [ours]
   std::int64_t max_path_steps = 2'000'000'000;  // bound on neighbours looked at in Algorithm 3.1  [ours]
 };
 
@@ -135,13 +137,28 @@ struct Options {
   MeshOptions mesh;
 };
 
+// Where an option counts.
+enum class UsedBy {
+  All,
+  Default,  // in the preset `default` alone
+  Paper,    // in the presets `paper` and `paper-log`
+  Capped,   // likewise, with the score form Capped
+};
+
 // The length of the lists of neighbours that a run keeps.
 int most_neighbours(const Options& options);
 
 // The defaults of a preset.
 Options preset_options(Preset preset);
 
-// Throws BadOption, naming the option, its value and its range, where a field is out of range.
+// Whether an option counts under these.
+bool counts(UsedBy used_by, const Options& options);
+
+// "of the preset default alone", "of the presets paper and paper-log alone", ...; "" for All.
+std::string where_used(UsedBy used_by);
+
+// Throws BadOption, naming the option, its value and its range, where a field is out of range, and naming the
+// presets that use it where one is not at its default that does not count.
 void check_options(const Options& options);
 
 // One field of the options as the tool, the report and the docs see it. `name` has the spelling of C++
@@ -152,6 +169,7 @@ struct Field {
   T& value;
   std::remove_const_t<T> least, most;  // the range, both ends included (equal where T is not a number)
   const char* help;                    // one line: what it is, its unit, its source
+  UsedBy used_by;                      // where it counts
 };
 
 // Calls visit(Field<T>) for each field but `up`, `holes` and `corners`, T being int, std::int64_t, double,
@@ -161,45 +179,59 @@ template <class AnyOptions, class Visit>
 void visit_fields(AnyOptions& o, Visit&& visit) {
   constexpr double tiny = 1e-300;
   constexpr std::int64_t huge = std::int64_t{1} << 62;
-  const auto field = [&visit]<class T>(const char* id, T& value, auto least, auto most, const char* help) {
+  const auto field = [&visit]<class T>(const char* id, T& value, auto least, auto most, const char* help,
+                                       UsedBy used_by = UsedBy::All) {
     using Value = std::remove_const_t<T>;
-    visit(Field<T>{id, value, static_cast<Value>(least), static_cast<Value>(most), help});
+    visit(Field<T>{id, value, static_cast<Value>(least), static_cast<Value>(most), help, used_by});
   };
   field("k", o.boundary.k, 3, 1000, "neighbours in the chi-square test (section 4)");
   field("sectors", o.boundary.sectors, 2, 360, "r of eq. (1), equal slices of the circle (section 4)");
   field("significance", o.boundary.significance, tiny, 1.0, "alpha: candidates have p <= alpha (section 4)");
   field("score_form", o.loops.score_form, ScoreForm::Printed, ScoreForm::Printed,
-        "eq. (2) as printed (1/p), or its log");
-  field("path_k", o.loops.path_k, 1, 1000, "neighbours in Algorithm 3.1 (section 4)");
+        "eq. (2) as printed (1/p), capped (1/max(p, score_cap), section 3.3: an approximation) or its log "
+        "[ours]",
+        UsedBy::Paper);
+  field("score_cap", o.loops.score_cap, tiny, 1.0,
+        "least p that the score form capped tells from others [ours]", UsedBy::Capped);
+  field("path_k", o.loops.path_k, 1, 1000, "neighbours in Algorithm 3.1 (section 4)", UsedBy::Paper);
   field("path_threshold", o.loops.path_threshold, 0, 1'000'000'000,
-        "least points of a closed path; 0 takes path_k + 1 (section 3.2)");
+        "least points of a closed path; 0 takes path_k + 1 (section 3.2)", UsedBy::Paper);
   field("length_exponent", o.loops.length_exponent, 0.0, 2.0, "exponent of the length in eq. (3)");
-  field("population", o.loops.population, 1, 100'000, "chromosomes in Algorithm 3.2 (section 3.4)");
-  field("generations", o.loops.generations, 0, 1'000'000, "K of Algorithm 3.2 (section 4)");
-  field("mutation_probability", o.loops.mutation_probability, 0.0, 1.0, "per bit (section 3.1: low)");
-  field("max_path_steps", o.loops.max_path_steps, 1, huge, "bound on the work of Algorithm 3.1 [ours]");
+  field("population", o.loops.population, 1, 100'000, "chromosomes in Algorithm 3.2 (section 3.4)",
+        UsedBy::Paper);
+  field("generations", o.loops.generations, 0, 1'000'000, "K of Algorithm 3.2 (section 4)", UsedBy::Paper);
+  field("mutation_probability", o.loops.mutation_probability, 0.0, 1.0, "per bit (section 3.1: low)",
+        UsedBy::Paper);
+  field("max_path_steps", o.loops.max_path_steps, 1, huge, "bound on the work of Algorithm 3.1 [ours]",
+        UsedBy::Paper);
   field(
       "loop_policy", o.boundary_loops.loop_policy, LoopPolicy::All, LoopPolicy::All,
-      "the loops that are returned: all, the outer one of each component, or the largest component's [ours]");
-  field("min_loop", o.boundary_loops.min_loop, 3, 1'000'000'000, "least points of a returned loop [ours]");
+      "the loops that are returned: all, the outer one of each component, or the largest component's [ours]",
+      UsedBy::Default);
+  field("min_loop", o.boundary_loops.min_loop, 3, 1'000'000'000, "least points of a returned loop [ours]",
+        UsedBy::Default);
   field("min_probability", o.boundary_loops.min_probability, 0.0, 1.0,
-        "least probability of a returned loop [ours]");
+        "least probability of a returned loop [ours]", UsedBy::Default);
   field("rim_population", o.boundary_loops.rim_population, 2, 100'000,
-        "chromosomes per group of candidate triangles [ours]");
+        "chromosomes per group of candidate triangles [ours]", UsedBy::Default);
   field("rim_generations", o.boundary_loops.rim_generations, 0, 1'000'000,
-        "most generations of a group; 0 decides each candidate by its size alone [ours]");
+        "most generations of a group; 0 decides each candidate by its size alone [ours]", UsedBy::Default);
   field("domain", o.map.domain, Domain::Disc, Domain::Disc,
-        "where a patch is mapped to: free is least squares conformal at real scale, none no map [ours]");
-  field("map_k", o.map.map_k, 3, 1000, "neighbours per interior point in eq. (4) [ours]");
+        "where a patch is mapped to: free is least squares conformal at real scale, none no map [ours]",
+        UsedBy::Default);
+  field("map_k", o.map.map_k, 3, 1000, "neighbours per interior point in eq. (4) [ours]", UsedBy::Paper);
   field("residual", o.map.residual, 1e-15, 1e-2, "relative residual of the solve of eq. (4)");
   field("refine_rounds", o.mesh.refine_rounds, 1, 100,
-        "most times the mesh is triangulated anew from its map [ours]");
+        "most times the mesh is triangulated anew from its map [ours]", UsedBy::Default);
   field("fill_points", o.mesh.fill_points, false, true,
-        "give holes that are filled vertices of their own, at the spacing of their rims [ours]");
+        "give holes that are filled vertices of their own, at the spacing of their rims [ours]",
+        UsedBy::Default);
   field("handles", o.mesh.handles, HandlePolicy::Repair, HandlePolicy::Repair,
-        "short handles are noise: repair cuts or closes them where that changes few triangles [ours]");
+        "short handles are noise: repair cuts or closes them where that changes few triangles [ours]",
+        UsedBy::Default);
   field("strict", o.mesh.strict, false, true,
-        "end with status 3 where a component can not be meshed, in place of the others [ours]");
+        "end with status 3 where a component can not be meshed, in place of the others [ours]",
+        UsedBy::Default);
 }
 
 }  // namespace rimline

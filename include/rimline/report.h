@@ -45,16 +45,29 @@ struct Generation {
   double best = 0, mean = 0;
 };
 
+// Where the loop of the paper's presets comes from.
+enum class LoopSource {
+  Fittest,      // the best chromosome of all generations
+  Later,        // a less fit one, since the loops of better ones did not close
+  InitialPath,  // a path of Algorithm 3.1, since no chromosome's did
+};
+
+// "fittest chromosome", "later chromosome", "initial path".
+const char* name(LoopSource source);
+
 // Algorithms 3.1 and 3.2.
 struct SearchSummary {
   std::size_t starts = 0;          // candidates from which a path was sought
   std::size_t closed_paths = 0;    // starts that found one
   std::size_t distinct_paths = 0;  // after duplicates were dropped
+  std::size_t population = 0;      // of these the ones that are generation 0
   std::int64_t steps = 0;          // neighbours looked at
   bool bound_hit = false;          // max_path_steps ended the search before every candidate was a start
-  std::size_t winner_points = 0;   // bits set in the winning chromosome
-  std::size_t winner_rank = 0;     // 0: the best chromosome closed; else how many better ones did not
-  std::vector<Generation> history;
+  LoopSource loop_from = LoopSource::Fittest;
+  std::size_t winner_points = 0;    // bits set in the winning chromosome
+  double winner_fitness = 0;        // its e(C) of eq. (3); that of the loop's own points is Loop::fitness
+  std::size_t winner_rank = 0;      // how many better chromosomes, or initial paths, had no loop that closed
+  std::vector<Generation> history;  // generation 0 is the initial population
   std::size_t doubtful =
       0;  // preset `default`: triangles that the search decides on, the bits of its chromosomes
   std::size_t groups = 0;     // of them that do not influence each other

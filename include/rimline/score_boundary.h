@@ -29,7 +29,10 @@ BoundaryScores score_boundary(Points points, const Neighbours& neighbours, const
 // p from its negative logarithm; 0 below the least double.
 double p_value(double log_score);
 
-// Eq. (2) as an option chooses it: 1 / p (at most the largest double) or -log p.
-double score(double log_score, ScoreForm form);
+// Eq. (2) as the options choose it: 1 / p (at most the largest double), 1 / max(p, score_cap) or -log p.
+double score(double log_score, const LoopOptions& options);
+
+// Its logarithm.
+double log_of_score(double log_score, const LoopOptions& options);
 
 }  // namespace rimline

@@ -116,7 +116,7 @@ def find_genetic_loop(
 
 @documented
 @takes_options("loops")
-def fitness(ids: npt.ArrayLike, scores: BoundaryScores, *, preset: str = "default", **options: Any) -> float:
+def fitness(ids: npt.ArrayLike, scores: BoundaryScores, *, preset: str = "paper-log", **options: Any) -> float:
     return _core.fitness(as_ids(ids, "ids"), scores, chosen(fitness, preset, options))
 
 
@@ -137,7 +137,7 @@ def map_to_disc(
     neighbours: Neighbours,
     loop: npt.ArrayLike,
     *,
-    preset: str = "default",
+    preset: str = "paper-log",
     threads: int = 0,
     progress: ProgressLike = None,
     **options: Any,

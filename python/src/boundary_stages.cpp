@@ -54,7 +54,9 @@ BoundaryScores score_boundary_of(const PointRows& points, const Neighbours& neig
 }
 
 double score_of(double log_score, const std::string& form) {
-  return score(log_score, value_of<ScoreForm>("form", form));
+  LoopOptions options;
+  options.score_form = value_of<ScoreForm>("form", form);
+  return score(log_score, options);
 }
 
 void check_scores(Points points, const Neighbours& neighbours, const BoundaryScores& scores) {

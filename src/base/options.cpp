@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/parse.h"
 #include "rimline/run.h"
@@ -19,7 +21,14 @@ const char* name(Preset preset) {
   return "?";
 }
 
-const char* name(ScoreForm form) { return form == ScoreForm::Printed ? "printed" : "log"; }
+const char* name(ScoreForm form) {
+  switch (form) {
+    case ScoreForm::Printed: return "printed";
+    case ScoreForm::Capped: return "capped";
+    case ScoreForm::Log: return "log";
+  }
+  return "?";
+}
 
 const char* name(LoopPolicy policy) {
   switch (policy) {
@@ -49,8 +58,31 @@ const char* name(HandlePolicy handles) {
   return "?";
 }
 
+bool counts(UsedBy used_by, const Options& options) {
+  switch (used_by) {
+    case UsedBy::All: return true;
+    case UsedBy::Default: return options.preset == Preset::Default;
+    case UsedBy::Paper: return options.preset != Preset::Default;
+    case UsedBy::Capped:
+      return options.preset != Preset::Default && options.loops.score_form == ScoreForm::Capped;
+  }
+  return true;
+}
+
+std::string where_used(UsedBy used_by) {
+  switch (used_by) {
+    case UsedBy::All: return "";
+    case UsedBy::Default: return "of the preset default alone";
+    case UsedBy::Paper: return "of the presets paper and paper-log alone";
+    case UsedBy::Capped: return "of the presets paper and paper-log with the score form capped alone";
+  }
+  return "";
+}
+
 int most_neighbours(const Options& options) {
   constexpr int spacing_k = 6;  // of local_spacing()
+  constexpr int survey_k = 40;  // of what the preset `default` measures
+  if (options.preset == Preset::Default) return std::max(options.boundary.k, survey_k);
   return std::max({options.boundary.k, options.loops.path_k, options.map.map_k, spacing_k});
 }
 
@@ -89,9 +121,37 @@ HolePolicy parse_holes(std::string_view text) {
 Options preset_options(Preset preset) {
   Options options;
   options.preset = preset;
-  options.loops.score_form = preset == Preset::Paper ? ScoreForm::Printed : ScoreForm::Log;
+  options.loops.score_form = preset == Preset::Paper ? ScoreForm::Capped : ScoreForm::Log;
   return options;
 }
+
+namespace {
+
+// Each field's value as a number.
+std::map<std::string, double> numbers_of(const Options& options) {
+  std::map<std::string, double> numbers;
+  visit_fields(options, [&](const auto& field) { numbers[field.name] = static_cast<double>(field.value); });
+  return numbers;
+}
+
+[[noreturn]] void refuse_unused(const char* field, UsedBy used_by, const Options& options) {
+  throw Error(ErrorCode::BadOption, fmt::format("{} is {}; these options are of the preset {}", field,
+                                                where_used(used_by), name(options.preset)));
+}
+
+// What does not count must be at its default: nobody should believe that it did something.
+void check_used(const Options& options) {
+  const auto defaults = numbers_of(preset_options(options.preset));
+  visit_fields(options, [&](const auto& field) {
+    const bool is_default = static_cast<double>(field.value) == defaults.at(field.name);
+    if (!is_default && !counts(field.used_by, options)) refuse_unused(field.name, field.used_by, options);
+  });
+  if (options.preset == Preset::Default) return;
+  if (options.mesh.holes.fill) refuse_unused("holes", UsedBy::Default, options);
+  if (options.map.corners[0] != none) refuse_unused("corners", UsedBy::Default, options);
+}
+
+}  // namespace
 
 void check_options(const Options& options) {
   visit_fields(options, []<class T>(const Field<T>& field) {
@@ -104,6 +164,7 @@ void check_options(const Options& options) {
   if (!is_finite(options.mesh.up) || norm(options.mesh.up) == 0) {
     throw Error(ErrorCode::BadOption, "up must be a finite vector other than zero");
   }
+  check_used(options);
 }
 
 }  // namespace rimline

@@ -2,6 +2,7 @@
 #include "rimline/report.h"
 
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "rimline/version.h"
@@ -14,17 +15,31 @@ using Json = nlohmann::ordered_json;
 // JSON has no infinity: a map that leaves a triangle no area has no stretch that a number could say.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json options_json(const Options& options) {
+template <class Struct>
+bool holds(const Struct& options, const void* field) {
+  return std::less_equal<>{}(static_cast<const void*>(&options), field) &&
+         std::less<>{}(field, static_cast<const void*>(&options + 1));
+}
+
+// Those that counted.
+Json options_json(const Report& report) {
+  const Options& options = report.options;
   Json json;
   json["preset"] = name(options.preset);
-  visit_fields(options, [&json]<class T>(const Field<T>& field) {
+  visit_fields(options, [&]<class T>(const Field<T>& field) {
+    const bool of_map = holds(options.map, &field.value) || holds(options.mesh, &field.value);
+    const bool of_search = field.used_by == UsedBy::Paper && holds(options.loops, &field.value) &&
+                           std::string_view(field.name) != "score_form";
+    if (!counts(field.used_by, options) || (of_map && !report.has_map)) return;
+    if (of_search && report.search.starts == 0) return;  // the loops were given
     if constexpr (std::is_arithmetic_v<T>) {
       json[field.name] = field.value;
     } else {
       json[field.name] = name(field.value);
     }
   });
-  json["holes"] = name(options.mesh.holes);
+  if (!report.has_map) return json;
+  if (counts(UsedBy::Default, options)) json["holes"] = name(options.mesh.holes);
   if (options.map.corners[0] != none) json["corners"] = options.map.corners;
   json["up"] = {options.mesh.up.x, options.mesh.up.y, options.mesh.up.z};
   return json;
@@ -37,9 +52,9 @@ Json loops_json(const std::vector<Loop>& loops) {
                     {"kind", name(loops[i].kind)},
                     {"points", loops[i].points.size()},
                     {"length", loops[i].length},
-                    {"fitness", loops[i].fitness},
+                    {"fitness", finite(loops[i].fitness)},
                     {"component", loops[i].component},
-                    {"probability", loops[i].probability}});
+                    {"probability", finite(loops[i].probability)}});
   }
   return json;
 }
@@ -60,9 +75,12 @@ Json search_json(const Options& options, const SearchSummary& search) {
   return {{"starts", search.starts},
           {"closed_paths", search.closed_paths},
           {"distinct_paths", search.distinct_paths},
+          {"population", search.population},
           {"steps", search.steps},
           {"bound_hit", search.bound_hit},
+          {"loop_from", name(search.loop_from)},
           {"winner_points", search.winner_points},
+          {"winner_fitness", search.winner_fitness},
           {"winner_rank", search.winner_rank},
           {"best_fitness", best},
           {"mean_fitness", mean}};
@@ -219,11 +237,20 @@ Json run_json(const Report& report) {
 
 }  // namespace
 
+const char* name(LoopSource source) {
+  switch (source) {
+    case LoopSource::Fittest: return "fittest chromosome";
+    case LoopSource::Later: return "later chromosome";
+    case LoopSource::InitialPath: return "initial path";
+  }
+  return "?";
+}
+
 std::string to_json(const Report& report) {
   Json json;
   json["schema"] = 1;
   json["version"] = version;
-  json["options"] = options_json(report.options);
+  json["options"] = options_json(report);
   json["seed"] = report.seed;
   json["points"] = {{"input", report.points.input},           {"used", report.points.used},
                     {"not_finite", report.points.not_finite}, {"duplicates", report.points.duplicates},

@@ -70,9 +70,18 @@ BoundaryScores score_boundary(Points points, const Neighbours& neighbours, const
 
 double p_value(double log_score) { return std::exp(-log_score); }
 
-double score(double log_score, ScoreForm form) {
-  if (form == ScoreForm::Log) return log_score;
-  return std::min(std::exp(log_score), std::numeric_limits<double>::max());
+double log_of_score(double log_score, const LoopOptions& options) {
+  switch (options.score_form) {
+    case ScoreForm::Printed: return log_score;
+    case ScoreForm::Capped: return std::min(log_score, -std::log(options.score_cap));
+    case ScoreForm::Log: return std::log(log_score);
+  }
+  return log_score;
+}
+
+double score(double log_score, const LoopOptions& options) {
+  if (options.score_form == ScoreForm::Log) return log_score;
+  return std::min(std::exp(log_of_score(log_score, options)), std::numeric_limits<double>::max());
 }
 
 }  // namespace rimline

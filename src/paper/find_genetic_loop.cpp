@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "paper/closed_paths.h"
 #include "paper/genetic.h"
 #include "paper/order.h"
+#include "paper/winner.h"
 
 namespace rimline {
 namespace {
@@ -26,35 +28,56 @@ namespace {
   throw Error(ErrorCode::NoClosedLoop, message, std::move(ids));
 }
 
+// The fittest of some chromosomes whose loop closes; false where none does.
+bool take_fittest(const std::vector<ClosedPath>& chromosomes, LoopSource source, Points points,
+                  const Neighbours& neighbours, const BoundaryScores& scores, const LoopOptions& options,
+                  GeneticLoop& result) {
+  for (std::size_t rank = 0; rank < chromosomes.size(); ++rank) {
+    const ClosedPath& chromosome = chromosomes[rank];
+    OrderedLoop loop = order_loop(points, neighbours, options.path_k, scores, chromosome.ids);
+    if (!loop.goes_round && loop.points.size() <= static_cast<std::size_t>(options.path_k)) continue;
+    result.loop.points = std::move(loop.points);
+    result.winner = chromosome.ids;
+    result.search.loop_from = source == LoopSource::Fittest && rank > 0 ? LoopSource::Later : source;
+    result.search.winner_rank = rank;
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+GeneticLoop breed_loop(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
+                       const ClosedPaths& paths, const LoopOptions& options, const Run& run) {
+  Evolution evolution = evolve(paths.best, scores, options, run);
+  GeneticLoop result;
+  SearchSummary& search = result.search;
+  search.starts = paths.starts;
+  search.closed_paths = paths.closed;
+  search.distinct_paths = paths.distinct;
+  search.population = paths.best.size();
+  search.steps = paths.steps;
+  search.bound_hit = paths.bound_hit;
+  search.history = std::move(evolution.history);
+  result.history = std::move(evolution.best);
+  // Crossover can break a path.
+  if (!take_fittest(evolution.fittest, LoopSource::Fittest, points, neighbours, scores, options, result) &&
+      !take_fittest(paths.best, LoopSource::InitialPath, points, neighbours, scores, options, result)) {
+    throw_no_path(scores, paths);
+  }
+  search.winner_points = result.winner.size();
+  search.winner_fitness = fitness(result.winner, scores, options);
+  result.loop.length = loop_length(points, result.loop.points);
+  result.loop.fitness = fitness(result.loop.points, scores, options);
+  result.loop.probability = std::numeric_limits<double>::quiet_NaN();  // the paper has none
+  return result;
+}
 
 GeneticLoop find_genetic_loop(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                               const LoopOptions& options, const Run& run) {
   const ClosedPaths paths = find_closed_paths(neighbours, scores, options, run);
   if (paths.best.empty()) throw_no_path(scores, paths);
-  const Evolution evolution = evolve(paths.best, scores, options, run);
-
-  GeneticLoop result;
-  result.search.starts = paths.starts;
-  result.search.closed_paths = paths.closed;
-  result.search.distinct_paths = paths.distinct;
-  result.search.steps = paths.steps;
-  result.search.bound_hit = paths.bound_hit;
-  result.search.history = evolution.history;
-  // Crossover can break a path: the fittest chromosome that still contains a cycle wins.
-  for (const ClosedPath& chromosome : evolution.fittest) {
-    result.loop.points = order_loop(points, neighbours, options.path_k, scores, chromosome.ids);
-    if (!result.loop.points.empty()) {
-      result.winner = chromosome.ids;
-      break;
-    }
-    ++result.search.winner_rank;
-  }
-  if (result.loop.points.empty()) throw_no_path(scores, paths);
-  result.search.winner_points = result.winner.size();
-  result.loop.length = loop_length(points, result.loop.points);
-  result.loop.fitness = fitness(result.loop.points, scores, options);
-  return result;
+  return breed_loop(points, neighbours, scores, paths, options, run);
 }
 
 }  // namespace rimline

@@ -11,19 +11,18 @@
 namespace rimline {
 namespace {
 
-// log of the sum of 1 / p, from -log p, without overflow.
-double log_sum_printed(std::span<const Index> ids, const std::vector<double>& log_score) {
+// log of the sum of the scores, from the logarithm of each, without overflow.
+double log_sum(std::span<const Index> ids, const BoundaryScores& scores, const LoopOptions& options) {
+  if (options.score_form == ScoreForm::Log) {
+    double sum = 0;
+    for (const Index i : ids) sum += scores.log_score[i];
+    return std::log(sum);
+  }
   double largest = 0;
-  for (const Index i : ids) largest = std::max(largest, log_score[i]);
+  for (const Index i : ids) largest = std::max(largest, log_of_score(scores.log_score[i], options));
   double sum = 0;
-  for (const Index i : ids) sum += std::exp(log_score[i] - largest);
+  for (const Index i : ids) sum += std::exp(log_of_score(scores.log_score[i], options) - largest);
   return largest + std::log(sum);
-}
-
-double log_sum_log(std::span<const Index> ids, const std::vector<double>& log_score) {
-  double sum = 0;
-  for (const Index i : ids) sum += log_score[i];
-  return std::log(sum);
 }
 
 }  // namespace
@@ -31,9 +30,7 @@ double log_sum_log(std::span<const Index> ids, const std::vector<double>& log_sc
 // Equation (3): the sum of the scores over (number of boundary vertices)^(9/10).
 double log_fitness(std::span<const Index> ids, const BoundaryScores& scores, const LoopOptions& options) {
   if (ids.empty()) return -std::numeric_limits<double>::infinity();
-  const double log_sum = options.score_form == ScoreForm::Printed ? log_sum_printed(ids, scores.log_score)
-                                                                  : log_sum_log(ids, scores.log_score);
-  return log_sum - options.length_exponent * std::log(static_cast<double>(ids.size()));
+  return log_sum(ids, scores, options) - options.length_exponent * std::log(static_cast<double>(ids.size()));
 }
 
 double fitness(std::span<const Index> ids, const BoundaryScores& scores, const LoopOptions& options) {

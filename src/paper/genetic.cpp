@@ -91,12 +91,17 @@ std::vector<Member> next_population(const std::vector<Member>& members, std::siz
 
 double saturated_exp(double x) { return std::min(std::exp(x), std::numeric_limits<double>::max()); }
 
-Generation summary(const std::vector<Member>& members) {
-  double best = -std::numeric_limits<double>::infinity();
-  for (const Member& m : members) best = std::max(best, m.log_fitness);
+// Tells of a generation; of equal ones the first is the best.
+void record(const std::vector<Member>& members, Evolution& result) {
+  const auto best = std::max_element(members.begin(), members.end(), [](const Member& a, const Member& b) {
+    return a.log_fitness < b.log_fitness;
+  });
   double sum = 0;  // relative to the best
-  for (const Member& m : members) sum += std::exp(m.log_fitness - best);
-  return {saturated_exp(best), saturated_exp(best + std::log(sum / static_cast<double>(members.size())))};
+  for (const Member& m : members) sum += std::exp(m.log_fitness - best->log_fitness);
+  const double mean = best->log_fitness + std::log(sum / static_cast<double>(members.size()));
+  const auto generation = static_cast<int>(result.history.size());
+  result.history.push_back({saturated_exp(best->log_fitness), saturated_exp(mean)});
+  result.best.add({generation, saturated_exp(best->log_fitness), best->chromosome.ids()});
 }
 
 // Puts the members among the fittest where they belong and are new.
@@ -123,17 +128,17 @@ Evolution evolve(const std::vector<ClosedPath>& initial, const BoundaryScores& s
   for (Index i = 0; i < static_cast<Index>(length); ++i) {
     if (scores.candidate[i]) candidates.push_back(i);
   }
-  Evolution result{initial, {}};
+  Evolution result{initial, {}, {}};
   std::vector<Member> members;
   for (const ClosedPath& path : initial) members.push_back({Chromosome(length, path.ids), path.log_fitness});
   if (members.empty()) return result;
-  result.history.push_back(summary(members));
+  record(members, result);
   Random random(run.seed, 32);
   for (int generation = 0; generation < options.generations; ++generation) {
     run.check_cancel();
     members = next_population(members, length, candidates, options.mutation_probability, random);
     for (Member& m : members) m.log_fitness = log_fitness(m.chromosome.ids(), scores, options);
-    result.history.push_back(summary(members));
+    record(members, result);
     keep_fittest(result.fittest, members, options.population);
   }
   return result;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "paper/closed_paths.h"
+#include "rimline/history.h"
 #include "rimline/report.h"
 
 namespace rimline {
@@ -32,6 +33,7 @@ struct Evolution {
   std::vector<ClosedPath>
       fittest;  // distinct chromosomes of all generations, best first, at most `population`
   std::vector<Generation> history;  // of the initial population and of each generation after it
+  SearchHistory best;               // the best chromosome of each of them
 };
 
 // K generations of the simple genetic algorithm of section 3.1: selection in proportion to eq. (3), one-point

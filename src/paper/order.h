@@ -11,14 +11,20 @@
 
 namespace rimline {
 
-// A simple closed polyline through some of the points `ids` (ascending), or empty where there is none.
+struct OrderedLoop {
+  std::vector<Index> points;  // a simple closed polyline; empty where the set has no cycle
+  // The band of the set: the loop is no sum of triangles of it (going_round() in paper/band.h), and two
+  // thirds of the points of the set are on it or joined to it.
+  bool goes_round = false;
+};
+
+// Some of the points `ids` (ascending) in order.
 //
-// The winner is a band two or three points wide. Its points are joined to their neighbours, and a join costs
-// its squared length over the sum of both scores: many short steps along high scores beat few long ones. A
-// tree of cheapest paths from the highest score, plus one join that is not in the tree, is a simple cycle.
-// Of the cycles at least half as long as the longest, which go around the band rather than across it, the
+// The winner is a band two or three points wide. Its points are joined to their neighbours. The cheapest ways
+// from the highest score, plus one join that is on none of them, are a simple cycle. Of those that are no sum
+// of triangles (where there are none, of all) and that are at least half as long as the longest of them, the
 // cheapest is the loop.
-std::vector<Index> order_loop(Points points, const Neighbours& neighbours, int path_k,
-                              const BoundaryScores& scores, std::span<const Index> ids);
+OrderedLoop order_loop(Points points, const Neighbours& neighbours, int path_k, const BoundaryScores& scores,
+                       std::span<const Index> ids);
 
 }  // namespace rimline

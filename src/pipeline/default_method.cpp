@@ -8,8 +8,6 @@
 namespace rimline::pipeline {
 namespace {
 
-void all_options_are_ours(const Options&) {}
-
 SearchSummary summarize(SelectionSummary search) {
   SearchSummary summary;
   summary.doubtful = search.doubtful;
@@ -57,7 +55,7 @@ FoundLoops find_all_loops(const PreparedPoints& prepared, const BoundaryScores& 
 }  // namespace
 
 const Method& default_method() {
-  static constexpr Method method{all_options_are_ours, find_all_loops, mesh_patches, mesh_patches};
+  static constexpr Method method{find_all_loops, mesh_patches, mesh_patches};
   return method;
 }
 

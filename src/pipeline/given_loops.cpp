@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "rimline/find_genetic_loop.h"
 
@@ -60,6 +61,7 @@ std::vector<Loop> arrange_loops(std::vector<Loop> given, const PreparedPoints& p
   for (Loop& loop : loops) {
     loop.length = loop_length(prepared.points(), loop.points);
     loop.fitness = fitness(loop.points, scores, options);
+    loop.probability = std::numeric_limits<double>::quiet_NaN();
   }
   return loops;
 }

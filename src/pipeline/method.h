@@ -20,14 +20,13 @@ struct FoundLoops {
   std::vector<Triangle> surface;   // that the loops were found on; of the default method
   bool range_scan = false;         // BoundaryLoops::range_scan
   SearchSummary search;
+  std::vector<Index> winner;  // the winning chromosome; of the paper's
+  SearchHistory history;      // likewise
   std::vector<std::string> warnings;
 };
 
 // What differs between the presets. Everything else is common to them.
 struct Method {
-  // Throws BadOption for options that the method does not have.
-  void (*check_options)(const Options&);
-
   FoundLoops (*find_loops)(const PreparedPoints&, const BoundaryScores&, const Options&, const Given&,
                            const Run&, StageClock&);
 

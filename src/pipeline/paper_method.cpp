@@ -15,17 +15,6 @@
 namespace rimline::pipeline {
 namespace {
 
-void check_options_of_the_paper(const Options& options) {
-  if (options.map.domain != Domain::Disc) {
-    throw Error(ErrorCode::BadOption,
-                "the paper's presets map to the disc alone; take the preset default for others");
-  }
-  if (options.mesh.holes.fill) {
-    throw Error(ErrorCode::BadOption,
-                "the paper's presets fill every hole through the map; --holes is of the preset default");
-  }
-}
-
 std::vector<std::string> warn_of_bound(const SearchSummary& search, const BoundaryScores& scores,
                                        const LoopOptions& options) {
   if (!search.bound_hit) return {};
@@ -34,6 +23,24 @@ std::vector<std::string> warn_of_bound(const SearchSummary& search, const Bounda
                   "candidates; raise max_path_steps to search them all",
                   options.max_path_steps, search.starts,
                   std::count(scores.candidate.begin(), scores.candidate.end(), 1))};
+}
+
+// Where the loop comes from if not from the fittest chromosome.
+std::vector<std::string> warn_of_source(const SearchSummary& search) {
+  switch (search.loop_from) {
+    case LoopSource::Fittest: return {};
+    case LoopSource::Later:
+      return {
+          fmt::format("the loop is that of a later chromosome: the points of the {} fitter ones have no loop "
+                      "that goes round their band, since crossover broke them",
+                      search.winner_rank)};
+    case LoopSource::InitialPath:
+      return {
+          fmt::format("the loop is that of initial path {} of {}: no chromosome that the search kept has a "
+                      "loop that goes round its band",
+                      search.winner_rank + 1, search.population)};
+  }
+  return {};
 }
 
 // Section 3, Algorithms 3.1 and 3.2.
@@ -50,8 +57,11 @@ FoundLoops find_loop(const PreparedPoints& prepared, const BoundaryScores& score
     return find_genetic_loop(prepared.points(), prepared.neighbours, scores, options.loops, run);
   });
   found.warnings = warn_of_bound(genetic.search, scores, options.loops);
+  for (std::string& warning : warn_of_source(genetic.search)) found.warnings.push_back(std::move(warning));
   found.loops = {std::move(genetic.loop)};
   found.search = std::move(genetic.search);
+  found.winner = std::move(genetic.winner);
+  found.history = std::move(genetic.history);
   return found;
 }
 
@@ -89,7 +99,7 @@ MappedMesh mesh_the_disc(const PreparedPoints& prepared, const FoundLoops& found
 }  // namespace
 
 const Method& method_of_the_paper() {
-  static constexpr Method method{check_options_of_the_paper, find_loop, map_to_the_disc, mesh_the_disc};
+  static constexpr Method method{find_loop, map_to_the_disc, mesh_the_disc};
   return method;
 }
 

@@ -22,10 +22,8 @@ using namespace pipeline;
 namespace {
 
 // `last` is the stage that the run ends with.
-void check(Points points, const Options& options, const Given& given, const Method& method, Stage last,
-           const Run& run) {
+void check(Points points, const Options& options, const Given& given, Stage last, const Run& run) {
   check_options(options);
-  method.check_options(options);
   check_input(points, options, given);
   check_memory(points.size(), options, last, run);
 }
@@ -36,15 +34,15 @@ BoundaryResult find_boundary(Points points, const Options& options, const Run& r
   if (const auto scaled = scaled_to_unit(points, options, given))
     return run_scaled(find_boundary, *scaled, options, run);
   const Method& method = method_of(options.preset);
-  check(points, options, given, method, Stage::Loops, run);
+  check(points, options, given, Stage::Loops, run);
   StageClock clock;
   const PreparedPoints prepared = prepare(points, options, run, clock);                      // Definition 2.1
   const BoundaryScores scores = score(prepared, options, run, clock);                        // eq. (1)
   const FoundLoops found = method.find_loops(prepared, scores, options, given, run, clock);  // eqs. (2), (3)
   clock.enter(Stage::Write);
   const Report report = report_boundary(prepared, scores, found, options, run);
-  BoundaryResult result = boundary_of_input(prepared, scores, found.probability, found.label, found.loops,
-                                            options.loops.score_form, run);
+  BoundaryResult result =
+      boundary_of_input(prepared, scores, found, found.label, found.loops, options.loops, run);
   result.report = finish(report, result, run, clock);
   return result;
 }
@@ -53,7 +51,7 @@ ParameterizeResult parameterize(Points points, const Options& options, const Run
   if (const auto scaled = scaled_to_unit(points, options, given))
     return run_scaled(parameterize, *scaled, options, run);
   const Method& method = method_of(options.preset);
-  check(points, options, given, method, Stage::Refine, run);
+  check(points, options, given, Stage::Refine, run);
   StageClock clock;
   const PreparedPoints prepared = prepare(points, options, run, clock);
   const BoundaryScores scores = score(prepared, options, run, clock);
@@ -66,8 +64,7 @@ ParameterizeResult parameterize(Points points, const Options& options, const Run
   ParameterizeResult result;
   result.uv = uv_of_input(prepared, map.uv);
   result.uv.resize(points.size());  // vertices that fills added have no place among the points
-  result.boundary = boundary_of_input(prepared, scores, found.probability, map.label, map.loops,
-                                      options.loops.score_form, run);
+  result.boundary = boundary_of_input(prepared, scores, found, map.label, map.loops, options.loops, run);
   result.boundary.report = finish(report, result.boundary, run, clock);
   return result;
 }
@@ -76,7 +73,7 @@ ReconstructResult reconstruct(Points points, const Options& options, const Run& 
   if (const auto scaled = scaled_to_unit(points, options, given))
     return run_scaled(reconstruct, *scaled, options, run);
   const Method& method = method_of(options.preset);
-  check(points, options, given, method, Stage::Measure, run);
+  check(points, options, given, Stage::Measure, run);
   StageClock clock;
   const PreparedPoints prepared = prepare(points, options, run, clock);
   const BoundaryScores scores = score(prepared, options, run, clock);
@@ -86,8 +83,8 @@ ReconstructResult reconstruct(Points points, const Options& options, const Run& 
     clock.enter(Stage::Write);
     Report report = add_map(report_boundary(prepared, scores, found, options, run), mesh);
     report.warnings.push_back(reason->what());
-    BoundaryResult result = boundary_of_input(prepared, scores, found.probability, found.label, found.loops,
-                                              options.loops.score_form, run);
+    BoundaryResult result =
+        boundary_of_input(prepared, scores, found, found.label, found.loops, options.loops, run);
     result.report = finish(report, result, run, clock);
     throw NoMesh(*reason, std::move(result));
   }
@@ -102,8 +99,7 @@ ReconstructResult reconstruct(Points points, const Options& options, const Run& 
   result.patch = patch_of_input(prepared, mesh.patch);
   result.filled.assign(mesh.filled.begin(), mesh.filled.end());
   result.distortion = distortion_of_input(prepared, std::move(measures.distortion));
-  result.boundary = boundary_of_input(prepared, scores, found.probability, mesh.label, mesh.loops,
-                                      options.loops.score_form, run);
+  result.boundary = boundary_of_input(prepared, scores, found, mesh.label, mesh.loops, options.loops, run);
   result.boundary.report = finish(report, result.boundary, run, clock);
   return result;
 }

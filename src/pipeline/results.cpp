@@ -60,14 +60,15 @@ BoundaryResult make_room(std::size_t points, std::size_t rated, const Run& run) 
 }
 
 // What the tests say of each point.
-BoundaryResult unpack(const UnfilledVector<Record>& records, bool rated, ScoreForm form, const Run& run) {
+BoundaryResult unpack(const UnfilledVector<Record>& records, bool rated, const LoopOptions& options,
+                      const Run& run) {
   const std::size_t n = records.size();
   BoundaryResult result = make_room(n, rated ? n : 0, run);
   parallel_for_each(n, Stage::Write, run, [&](Index id) {
     const Record& x = records[id];
     const bool is_known = !std::isnan(x.log_score);
     result.p_value[id] = is_known ? p_value(x.log_score) : nan;
-    result.score[id] = is_known ? score(x.log_score, form) : nan;
+    result.score[id] = is_known ? score(x.log_score, options) : nan;
     result.candidate[id] = x.candidate;
     if (!rated) return;
     result.boundary_probability[id] = x.probability;
@@ -136,14 +137,20 @@ Distortion distortion_of_input(const PreparedPoints& prepared, Distortion distor
 }
 
 BoundaryResult boundary_of_input(const PreparedPoints& prepared, const BoundaryScores& scores,
-                                 const std::vector<float>& probability, const std::vector<PointLabel>& label,
-                                 std::vector<Loop> loops, ScoreForm form, const Run& run) {
+                                 const FoundLoops& found, const std::vector<PointLabel>& label,
+                                 std::vector<Loop> loops, const LoopOptions& options, const Run& run) {
   const Run silent = run.without_progress();  // takes a moment
-  const auto records = records_of_input(prepared, scores, probability, label, silent);
+  const auto records = records_of_input(prepared, scores, found.probability, label, silent);
   for (Loop& loop : loops) {
     for (Index& id : loop.points) id = prepared.ids()[id];
   }
-  return with_loops(unpack(records, !label.empty(), form, silent), std::move(loops));
+  BoundaryResult result = with_loops(unpack(records, !label.empty(), options, silent), std::move(loops));
+  if (found.winner.empty()) return result;
+  result.chromosome.assign(prepared.input.size(), 0);
+  for (const Index i : found.winner) result.chromosome[prepared.ids()[i]] = 1;
+  result.history = found.history;
+  result.history.rename(prepared.ids());
+  return result;
 }
 
 }  // namespace rimline::pipeline

@@ -21,7 +21,7 @@ std::vector<Triangle> triangles_of_input(const PreparedPoints& prepared, std::ve
 
 // The loops, and what is known of each point. `label` is that of the loops; the report is left empty.
 BoundaryResult boundary_of_input(const PreparedPoints& prepared, const BoundaryScores& scores,
-                                 const std::vector<float>& probability, const std::vector<PointLabel>& label,
-                                 std::vector<Loop> loops, ScoreForm form, const Run& run);
+                                 const FoundLoops& found, const std::vector<PointLabel>& label,
+                                 std::vector<Loop> loops, const LoopOptions& options, const Run& run);
 
 }  // namespace rimline::pipeline

@@ -255,10 +255,29 @@ TEST_CASE("points on a line are all candidates and nothing divides by zero") {
 }
 
 TEST_CASE("eq. (2) as printed is 1 / p and never overflows; its log form is -log p") {
-  CHECK(score(std::log(20.0), ScoreForm::Printed) == doctest::Approx(20));
-  CHECK(score(3.5, ScoreForm::Log) == 3.5);
-  CHECK(std::isfinite(score(1e6, ScoreForm::Printed)));
+  LoopOptions options;
+  options.score_form = ScoreForm::Printed;
+  CHECK(score(std::log(20.0), options) == doctest::Approx(20));
+  CHECK(std::isfinite(score(1e6, options)));
+  options.score_form = ScoreForm::Log;
+  CHECK(score(3.5, options) == 3.5);
   CHECK(p_value(std::log(20.0)) == doctest::Approx(0.05));
+}
+
+TEST_CASE("the capped form is 1 / p down to its cap, and the same for all p below") {
+  LoopOptions options;
+  options.score_form = ScoreForm::Capped;
+  options.score_cap = 1e-3;
+  CHECK(score(std::log(20.0), options) == doctest::Approx(20));
+  CHECK(score(std::log(999.0), options) == doctest::Approx(999));
+  CHECK(score(std::log(1e9), options) == doctest::Approx(1000));
+  CHECK(score(1e6, options) == doctest::Approx(1000));
+  options.score_cap = 1e-6;
+  CHECK(score(1e6, options) == doctest::Approx(1e6));
+  for (const ScoreForm form : {ScoreForm::Printed, ScoreForm::Capped, ScoreForm::Log}) {
+    options.score_form = form;
+    CHECK(std::exp(log_of_score(7, options)) == doctest::Approx(score(7, options)));
+  }
 }
 
 TEST_CASE(

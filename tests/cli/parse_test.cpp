@@ -49,7 +49,7 @@ TEST_CASE("a direction has three numbers and a length") {
 
 TEST_CASE("the names of an enumeration are found by counting up") {
   CHECK(names_of<Preset>() == std::vector<std::string>{"default", "paper", "paper-log"});
-  CHECK(names_of<ScoreForm>() == std::vector<std::string>{"printed", "log"});
+  CHECK(names_of<ScoreForm>() == std::vector<std::string>{"printed", "capped", "log"});
   CHECK(parse_enum<ScoreForm>("--score-form", "log") == ScoreForm::Log);
 }
 

@@ -439,8 +439,69 @@ TEST_CASE("the report holds what its contract lists, with the options as they we
   }
   CHECK(report["seed"] == 7);
   CHECK(report["options"]["preset"] == "paper");
-  CHECK(report["options"]["score_form"] == "printed");
+  CHECK(report["options"]["score_form"] == "capped");
   CHECK(report["options"]["k"] == 30);
+  CHECK(report["options"].contains("map_k"));
+}
+
+TEST_CASE("the report lists the options that counted and no others") {
+  const Folder folder;
+  const std::string input = sample(folder, "flat-disc", 800);
+  const auto options_of = [&](Names arguments) {
+    arguments.insert(arguments.end(), {"--report", folder / "report.json", "--quiet"});
+    require_done(rimline::test::rimline(arguments));
+    return json::parse(read_file(folder / "report.json"))["options"];
+  };
+  const json ours = options_of({"boundary", input});
+  for (const char* name : {"k", "min_loop", "rim_generations"}) CHECK(ours.contains(name));
+  for (const char* name : {"path_k", "score_form", "population", "map_k", "domain", "holes"})
+    CHECK_FALSE(ours.contains(name));
+  const json papers = options_of({"reconstruct", input, "-o", folder / "m.ply", "--preset", "paper-log"});
+  for (const char* name : {"k", "path_k", "score_form", "population", "map_k", "residual"})
+    CHECK(papers.contains(name));
+  for (const char* name : {"min_loop", "score_cap", "domain", "holes", "fill_points"})
+    CHECK_FALSE(papers.contains(name));
+}
+
+TEST_CASE("what the search of the paper found can be seen: chromosome, history, the winner's fitness") {
+  const Folder folder;
+  const std::string input = sample(folder, "hemisphere-cap", 1500);
+  require_done(rimline::test::rimline({"boundary", input, "-o", folder / "points.ply", "--loops",
+                                       folder / "loops.json", "--report", folder / "report.json", "--history",
+                                       folder / "history.json", "--preset", "paper", "--generations", "12"}));
+  const json report = json::parse(read_file(folder / "report.json")), search = report["search"];
+  const json history = json::parse(read_file(folder / "history.json"));
+  const json loops = json::parse(read_file(folder / "loops.json"))["loops"];
+  CHECK(history["points"] == report["points"]["input"]);
+  CHECK(history["stride"] == 1);
+  REQUIRE(history["generations"].size() == 13);
+  REQUIRE(search["best_fitness"].size() == 13);
+  double best = 0;
+  for (std::size_t g = 0; g < 13; ++g) {
+    CHECK(history["generations"][g]["generation"] == g);
+    CHECK(history["generations"][g]["fitness"] == search["best_fitness"][g]);
+    best = std::max(best, search["best_fitness"][g].get<double>());
+  }
+  CHECK(search["distinct_paths"] <= search["closed_paths"]);
+  CHECK(search["population"] <= search["distinct_paths"]);
+  CHECK(search["loop_from"] == "fittest chromosome");
+  CHECK(search["winner_fitness"].get<double>() == doctest::Approx(best));
+  CHECK(search["winner_fitness"] != loops[0]["fitness"]);  // the loop leaves points of the winner out
+  CHECK(loops[0]["probability"].is_null());
+  CHECK(report["loops"][0]["probability"].is_null());
+  const Ply points = parse_ply(read_file(folder / "points.ply"));
+  const auto chromosome = points.values<std::uint8_t>("chromosome");
+  CHECK(std::count(chromosome.begin(), chromosome.end(), 1) == search["winner_points"]);
+  for (const std::size_t id : loops[0]["points"]) CHECK(chromosome.at(id) == 1);
+}
+
+TEST_CASE("the default has no chromosome, and its loops have a probability") {
+  const Folder folder;
+  const std::string input = sample(folder, "hemisphere-cap", 1500);
+  require_done(rimline::test::rimline(
+      {"boundary", input, "-o", folder / "points.ply", "--loops", folder / "loops.json"}));
+  CHECK(read_file(folder / "points.ply").find("chromosome") == std::string::npos);
+  CHECK(json::parse(read_file(folder / "loops.json"))["loops"][0]["probability"].is_number());
 }
 
 TEST_CASE("a flag beats the preset, wherever it stands") {

@@ -301,9 +301,10 @@ TEST_CASE("status 5: every stage stops by itself, before the next begins and wit
   const Names stages = {"neighbours",  "boundary", "survey",  "loops", "parameterize",
                         "triangulate", "refine",   "measure", "write"};
   const auto stops = [&](const std::string& preset, const std::string& stage) {
+    Names arguments = {"reconstruct", input, "-o", folder / "mesh.ply", "--preset", preset};
+    if (preset == "paper") arguments.insert(arguments.end(), {"--max-path-steps", "20000000"});
     const Finished stopped =
-        run({.arguments = {"reconstruct", input, "-o", folder / "mesh.ply", "--preset", preset,
-                           "--max-path-steps", "20000000"},
+        run({.arguments = arguments,
              .terminal = true,
              .signal = SIGINT,
              .deadline = false,

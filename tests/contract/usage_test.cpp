@@ -65,6 +65,66 @@ TEST_CASE("every field of the options is a flag whose help gives its default") {
   }
 }
 
+TEST_CASE(
+    "an option that the preset does not use is refused, whatever its value, and its presets are named") {
+  for (const rimline::Preset preset : {rimline::Preset::Default, rimline::Preset::Paper}) {
+    const rimline::Options options = rimline::preset_options(preset);
+    rimline::visit_fields(options, [&](const auto& field) {
+      if (counts(field.used_by, options)) return;
+      std::vector<std::string> arguments = {"boundary", "no.ply", "--preset", name(preset),
+                                            dashed(field.name)};
+      if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(field.value)>>) {
+        arguments.emplace_back(name(field.value));
+      } else if constexpr (!std::same_as<decltype(field.value), const bool&>) {
+        arguments.push_back(fmt::format("{}", field.value));
+      }
+      const Finished refused = rimline::test::rimline(arguments);
+      CAPTURE(refused.err);
+      CHECK(refused.status == 1);
+      CHECK(one_sentence(refused.err));
+      CHECK(contains(refused.err, dashed(field.name) + " is " + where_used(field.used_by)));
+    });
+  }
+}
+
+TEST_CASE("flags that are no field and do not count are refused as well") {
+  using Arguments = std::vector<std::string>;
+  const std::vector<std::pair<Arguments, std::string>> cases = {
+      {{"--preset", "paper", "--holes", "keep"}, "of the preset default alone"},
+      {{"--preset", "paper", "--corners", "1,2,3,4"}, "of the preset default alone"},
+      {{"--history", "h.json"}, "of the presets paper and paper-log alone"},
+      {{"--preset", "paper-log", "--score-cap", "0.1"}, "the score form log does not use it"},
+      {{"--preset", "paper", "--use-loops", "l.json", "--history", "h.json"}, "--use-loops gives the loops"},
+      {{"--preset", "paper", "--use-loops", "l.json", "--path-k", "10"}, "--use-loops gives the loops"},
+  };
+  for (const auto& [more, sentence] : cases) {
+    Arguments arguments = {"boundary", "no.ply"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Finished refused = rimline::test::rimline(arguments);
+    CAPTURE(refused.err);
+    CHECK(refused.status == 1);
+    CHECK(one_sentence(refused.err));
+    CHECK(contains(refused.err, sentence));
+  }
+}
+
+TEST_CASE("the help says which presets a field belongs to") {
+  const rimline::Options options;
+  const std::string help = rimline::test::rimline({"boundary", "--help"}).out;
+  rimline::visit_fields(options, [&](const auto& field) {
+    CAPTURE(field.name);
+    const std::size_t at = help.find("\n  " + dashed(field.name) + " ");
+    std::string text = help.substr(at, help.find("\n  --", at + 1) - at);
+    std::string line;  // wrapping undone
+    for (const char c : text) {
+      if (c != '\n' && (c != ' ' || line.empty() || line.back() != ' ')) line += c;
+      if (c == '\n' && line.back() != ' ') line += ' ';
+    }
+    std::string where = where_used(field.used_by);
+    if (!where.empty()) CHECK(contains(line, where.substr(3)));
+  });
+}
+
 TEST_CASE("the help of sample lists every shape and every sampling") {
   const std::string help = rimline::test::rimline({"sample", "--help"}).out;
   for (const auto shape : rimline::all_shapes()) CHECK(contains(help, name(shape)));
@@ -134,6 +194,7 @@ TEST_CASE("bad usage ends with status 1, one sentence and nothing on standard ou
       {{"boundary", "a.ply", "--report", "report.txt"}, "report.txt"},
       {{"boundary", "a.ply", "--picture", "p.gif"}, "p.gif"},
       {{"boundary", "a.ply", "--picture", "-"}, "--picture"},
+      {{"boundary", "a.ply", "--picture", "p.png", "--panels", "points,mash"}, "'mash'"},
       {{"boundary", "a.ply", "--loops", "x.json", "--report", "./x.json"}, "--report"},
       {{"boundary", "a.ply", "--loops", "-", "--report", "-"}, "--report"},
       {{"boundary", "-", "--use-loops", "-"}, "standard input"},

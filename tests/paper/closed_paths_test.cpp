@@ -86,6 +86,24 @@ TEST_CASE("on random graphs of at most 12 points every path is that of Algorithm
   CHECK(open > 1000);
 }
 
+TEST_CASE("a path closes with k + 1 points before its last, where no threshold is given") {
+  Random random(6);
+  int differ = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const int points = 9, k = 1 + static_cast<int>(random.below(4));
+    const Neighbours graph = random_graph(points, k, random);
+    const std::vector<std::uint8_t> candidate(points, 1);
+    ClosedPathSearcher searcher(graph, candidate, k, 0);
+    NaiveAlgorithm31 naive(graph, candidate, k + 1), less(graph, candidate, k), more(graph, candidate, k + 2);
+    for (Index start = 0; start < points; ++start) {
+      const auto path = searcher.find(start);
+      CHECK(path == naive.path(start));
+      differ += path != less.path(start) && path != more.path(start);
+    }
+  }
+  CHECK(differ > 100);
+}
+
 // Points in a ring, each with its two neighbours on either side.
 Neighbours ring(int points) {
   Neighbours graph;
@@ -113,6 +131,25 @@ TEST_CASE("a ring of candidates is one closed path, found from every start and k
   CHECK(paths.best.size() == 1);
   CHECK(paths.best[0].ids.size() == 40);
   CHECK_FALSE(paths.bound_hit);
+}
+
+TEST_CASE("of the distinct paths the fittest make up the population, best first") {
+  Neighbours rings;
+  rings.k = 2;
+  BoundaryScores scores = uniform_scores(60);
+  for (int r = 0; r < 5; ++r) {  // five rings of twelve points, the third with the highest scores
+    const Neighbours one = ring(12);
+    for (const Index id : one.ids) rings.ids.push_back(id + 12 * r);
+    for (int i = 0; i < 12; ++i) scores.log_score[12 * r + i] = r == 2 ? 50 : 5 + r;
+  }
+  LoopOptions options;
+  options.path_k = 2;
+  options.population = 3;
+  const ClosedPaths paths = find_closed_paths(rings, scores, options, {});
+  CHECK(paths.distinct == 5);
+  REQUIRE(paths.best.size() == 3);
+  for (const auto& [rank, first] : {std::pair{0, 24}, {1, 48}, {2, 36}})
+    CHECK(paths.best[rank].ids[0] == first);
 }
 
 TEST_CASE("the bound on the work is kept and said") {

@@ -45,7 +45,7 @@ BoundaryScores halving_scores(int points) {
   return scores;
 }
 
-TEST_CASE("eq. (3) by hand, as printed and with the log of the score") {
+TEST_CASE("eq. (3) by hand, as printed, capped and with the log of the score") {
   const BoundaryScores scores = halving_scores(4);
   const std::vector<Index> ids{0, 1, 3};
   LoopOptions options;
@@ -55,6 +55,8 @@ TEST_CASE("eq. (3) by hand, as printed and with the log of the score") {
   CHECK(fitness(ids, scores, options) == doctest::Approx((1 + 2 + 4) * std::log(2.0) / std::pow(3, 0.9)));
   options.length_exponent = 0.5;
   CHECK(fitness(ids, scores, options) == doctest::Approx(7 * std::log(2.0) / std::sqrt(3.0)));
+  options = {.score_form = ScoreForm::Capped, .score_cap = 0.2};  // of 1/2, 1/4 and 1/16 the last is capped
+  CHECK(fitness(ids, scores, options) == doctest::Approx((2 + 4 + 5) / std::pow(3, 0.9)));
 }
 
 TEST_CASE("eq. (3) as printed stays finite where 1/p leaves the range of double") {
@@ -90,6 +92,54 @@ TEST_CASE("the search never loses the best chromosome it has seen, and tells its
   }
   CHECK(std::exp(evolution.fittest.front().log_fitness) == doctest::Approx(best));
   CHECK(evolution.fittest.front().log_fitness >= initial[2].log_fitness);
+}
+
+TEST_CASE("selection is in proportion to fitness") {
+  // Half of the chromosomes are three times as fit as the others; bits are so far from the end that a cut
+  // between them is rare. One generation makes three quarters of them fit: a mean of 2.5 where it was 2.
+  constexpr int length = 100'000, pairs = 1500;
+  BoundaryScores scores;
+  scores.log_score.assign(length, 0);
+  scores.log_score[0] = std::log(3.0);
+  scores.candidate.assign(length, 0);
+  LoopOptions options;
+  options.score_form = ScoreForm::Printed;
+  options.mutation_probability = 0;
+  options.generations = 1;
+  std::vector<ClosedPath> initial;
+  for (int i = 0; i < pairs; ++i) {
+    for (const Index id : {0, 1}) initial.push_back({{id}, scores.log_score[id]});
+  }
+  const Evolution evolution = evolve(initial, scores, options, {});
+  REQUIRE(evolution.history.size() == 2);
+  CHECK(evolution.history[0].mean == doctest::Approx(2));
+  CHECK(evolution.history[1].mean == doctest::Approx(2.5).epsilon(0.03));
+}
+
+TEST_CASE("the best chromosome of each generation is told from generation 0 on, with its fitness") {
+  const BoundaryScores scores = halving_scores(40);
+  LoopOptions options;
+  options.generations = 30;
+  options.mutation_probability = 0.02;
+  const auto initial = three_paths(scores, options);
+  const Evolution evolution = evolve(initial, scores, options, {});
+  const auto& told = evolution.best.generations();
+  REQUIRE(told.size() == 31);
+  CHECK(told[0].points == initial[2].ids);
+  for (std::size_t g = 0; g < told.size(); ++g) {
+    CHECK(told[g].generation == static_cast<int>(g));
+    CHECK(told[g].fitness == evolution.history[g].best);
+    CHECK(told[g].fitness == doctest::Approx(fitness(told[g].points, scores, options)));
+  }
+}
+
+TEST_CASE("a long history is thinned evenly, and keeps generation 0") {
+  SearchHistory history;
+  const std::vector<Index> points(SearchHistory::most_points / 10, 1);
+  for (int g = 0; g <= 100; ++g) history.add({g, 1.0 * g, points});
+  CHECK(history.stride() == 16);
+  REQUIRE(history.generations().size() == 7);
+  for (int i = 0; i < 7; ++i) CHECK(history.generations()[i].generation == 16 * i);
 }
 
 TEST_CASE("mutation sets only bits of candidates") {

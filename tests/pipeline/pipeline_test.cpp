@@ -10,6 +10,7 @@
 
 #include "base/random.h"
 #include "mesh/edges.h"
+#include "rimline/arrange.h"
 #include "shapes.h"
 
 namespace rimline {
@@ -205,6 +206,55 @@ TEST_CASE("bad options and given loops are refused with their names") {
   Given given;
   given.loops.push_back({{0, 1, 999'999}});
   CHECK_THROWS_AS(find_boundary(disc.points, {}, {}, given), Error);
+}
+
+TEST_CASE("the report tells the least delta, how many are small, and how many points are undersampled") {
+  auto points = shapes::disc(14, 0.4).points;
+  for (int i = 0; i < 60; ++i)
+    points.push_back({1.3 + 0.02 * i, 0.001 * (i % 3), 0});  // a spike: nearly a line
+  const auto result = find_boundary(points, preset_options(Preset::PaperLog), {});
+  const Arrangement arranged = arrange(points, {});
+  const auto scores = score_boundary(arranged.points, find_neighbours(arranged.points, 40, {}), {}, {});
+  const Report& report = result.report;
+  CHECK(report.assumptions.delta == *std::min_element(scores.delta.begin(), scores.delta.end()));
+  CHECK(report.assumptions.delta < 0.05);
+  CHECK(report.assumptions.below_delta ==
+        std::count_if(scores.delta.begin(), scores.delta.end(), [](float d) { return d < 0.05F; }));
+  std::size_t undersampled = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    undersampled += result.candidate[i] == 1 && result.boundary[i] == 0;
+  CHECK(undersampled > 0);
+  CHECK(report.undersampled == undersampled);
+}
+
+TEST_CASE("a loop of the paper has the fitness of its own points, and no probability") {
+  const auto disc = shapes::disc(14, 0.4);
+  const Options options = preset_options(Preset::PaperLog);
+  const auto result = find_boundary(disc.points, options, {});
+  double sum = 0;
+  for (const Index id : result.loops[0].points) sum += result.score[id];
+  const double size = static_cast<double>(result.loops[0].points.size());
+  CHECK(result.loops[0].fitness == doctest::Approx(sum / std::pow(size, 0.9)));
+  double winner = 0;
+  for (std::size_t i = 0; i < disc.points.size(); ++i) winner += result.chromosome[i] * result.score[i];
+  const auto bits = static_cast<double>(result.report.search.winner_points);
+  CHECK(bits >= size);
+  CHECK(result.report.search.winner_fitness == doctest::Approx(winner / std::pow(bits, 0.9)));
+  CHECK(std::isnan(result.loops[0].probability));
+  CHECK(!std::isnan(find_boundary(disc.points, {}, {}).loops[0].probability));
+}
+
+TEST_CASE("the paper's mesh fills every hole but the one that its loop goes round") {
+  std::vector<Point> ring;
+  for (const Point& p : shapes::disc(20).points) {
+    if (norm(p) > 0.4) ring.push_back(p);
+  }
+  const auto filled = reconstruct(ring, preset_options(Preset::Paper), {}).boundary.report.mesh;
+  CHECK(filled.boundary_loops == 1);
+  CHECK(filled.euler == 1);
+  const auto open = reconstruct(ring, {}, {}).boundary.report.mesh;
+  CHECK(open.boundary_loops == 2);
+  CHECK(open.euler == 0);
 }
 
 TEST_CASE("a warning is given where k / r is below 5") {
