@@ -25,7 +25,7 @@ struct Loop {
   double length = 0;       // of the closed polyline, in the unit of the input
   double fitness = 0;      // eq. (3), on the score that the preset uses
   Index component = 0;     // connected component of the surface it bounds, from 0
-  double probability = 1;  // that it is a boundary of the surface, in [0, 1]; 1 where the method gives none
+  double probability = 1;  // that it is a boundary, in [0, 1]; NaN where none is: the paper, one by hand
 };
 
 }  // namespace rimline
