@@ -59,6 +59,47 @@ inline std::set<int> split_vertices(const std::vector<Corners>& triangles) {
   return split;
 }
 
+// The triangles of those components that can be oriented: walking over edges, each is told to be turned or
+// not, and none is told both.
+inline std::vector<Corners> two_sided(const std::vector<Corners>& triangles) {
+  const Sides sides = sides_of(triangles);
+  const auto runs_along = [&](int t, int a, int b) {
+    for (int c = 0; c < 3; ++c) {
+      if (triangles[t][c] == a && triangles[t][(c + 1) % 3] == b) return true;
+    }
+    return false;
+  };
+  std::vector<int> turned(triangles.size(), -1);  // -1: not reached yet
+  std::set<int> one_sided;
+  for (int start = 0; start < static_cast<int>(triangles.size()); ++start) {
+    if (turned[start] >= 0) continue;
+    std::vector<int> component{start};
+    turned[start] = 0;
+    bool can_be = true;
+    for (std::size_t i = 0; i < component.size(); ++i) {
+      const int t = component[i];
+      for (int c = 0; c < 3; ++c) {
+        const int a = triangles[t][c], b = triangles[t][(c + 1) % 3];
+        for (const int other : sides.at(std::minmax({a, b}))) {
+          if (other == t) continue;
+          const int wanted = runs_along(other, a, b) ? 1 - turned[t] : turned[t];
+          if (turned[other] < 0) {
+            turned[other] = wanted;
+            component.push_back(other);
+          }
+          can_be &= turned[other] == wanted;
+        }
+      }
+    }
+    if (!can_be) one_sided.insert(component.begin(), component.end());
+  }
+  std::vector<Corners> oriented;
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+    if (one_sided.count(t) == 0) oriented.push_back(triangles[t]);
+  }
+  return oriented;
+}
+
 // "", or the first rule that the triangles break. Orientation is asked for where `oriented` is set: a
 // one-sided surface has none.
 inline std::string broken_rule(const std::vector<Corners>& triangles, int vertices, bool oriented = true) {

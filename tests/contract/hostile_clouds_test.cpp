@@ -22,6 +22,21 @@ TEST_CASE("clouds of lines, plates and blobs end with a mesh that is one, or are
     if (done.status != 0) continue;
     const Ply mesh = parse_ply(read_file(folder / "mesh.ply"));
     CHECK_FALSE(mesh.faces.empty());
-    CHECK(broken_rule(mesh.faces, static_cast<int>(mesh.vertices)) == "");
+    const int vertices = static_cast<int>(mesh.vertices);
+    CHECK(broken_rule(mesh.faces, vertices, false) == "");
+    CHECK(broken_rule(two_sided(mesh.faces), vertices) == "");
   }
+}
+
+TEST_CASE("the oracle tells a strip that is turned once from one that is not") {
+  const std::vector<Corners> ring{{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 5, 4}, {4, 5, 0}, {5, 1, 0}};
+  CHECK(two_sided(ring) == ring);
+  std::vector<Corners> moebius = ring;
+  moebius[4] = {4, 5, 1};
+  moebius[5] = {5, 0, 1};
+  CHECK(two_sided(moebius).empty());
+  std::vector<Corners> badly = ring;
+  std::swap(badly[2][0], badly[2][1]);
+  CHECK(two_sided(badly) == badly);
+  CHECK(broken_rule(two_sided(badly), 6) == "two triangles run along an edge alike");
 }
