@@ -21,7 +21,7 @@ told = []
 for attempt in (
     lambda: rimline.read(OUT / "cut_short.ply"),
     lambda: rimline.reconstruct(np.zeros((2, 3))),
-    lambda: rimline.reconstruct(rimline.sample("hemisphere-cap", 500).points, loops=[[0, 1, 500]]),
+    lambda: rimline.reconstruct(rimline.sample("hemisphere-cap", 500).points, loops=[[0, 1, 1000]]),
     lambda: rimline.boundary(rimline.sample("hemisphere-cap", 500).points, k=0),
 ):
     try:

@@ -106,7 +106,8 @@ def _boundary(axes: Axes, scene: Scene) -> str:
     _scatter(axes, scene, _grey(scene))
     _lines(axes, scene, scene.places)
     count = sum(len(loop) for loop in scene.result.loops)
-    return f"{len(scene.result.loops):,} loops, {count:,} points"
+    loops = len(scene.result.loops)
+    return f"{loops:,} loop{'' if loops == 1 else 's'}, {count:,} points"
 
 
 def _shaded(axes: Axes, corners: Array, colours: Array, edges: bool) -> None:
@@ -139,7 +140,8 @@ def _map(axes: Axes, scene: Scene) -> str:
     else:
         axes.scatter(uv[:, 0], uv[:, 1], s=0.5 * scene.dot, color=tuple(NEAR), linewidths=0)
     _lines(axes, scene, uv)
-    return f"residual {scene.result.report['map']['residual']:.0e}"
+    told = scene.result.report.get("map", {})
+    return f"residual {told['residual']:.0e}" if "residual" in told else f"{np.isfinite(uv).all(axis=1).sum():,} points"
 
 
 def _mesh(axes: Axes, scene: Scene) -> str:

@@ -103,8 +103,9 @@ void add_types(nb::module_& m) {
   nb::class_<Arrangement>(m, "Arrangement")
       .def_prop_ro("points", &Member<&Arrangement::points>::view)
       .def_prop_ro("ids", &Member<&Arrangement::ids>::view)
-      .def_prop_ro("origin",
-                   [](const Arrangement& a) { return nb::make_tuple(a.origin.x, a.origin.y, a.origin.z); })
+      .def_prop_ro(
+          "origin",
+          [](const Arrangement& a) -> Several { return nb::make_tuple(a.origin.x, a.origin.y, a.origin.z); })
       .def_prop_ro("not_finite", &Member<&Arrangement::not_finite>::view)
       .def_prop_ro("duplicates", &Member<&Arrangement::duplicates>::view)
       .def_prop_ro("stray", &Member<&Arrangement::stray>::view);

@@ -27,7 +27,7 @@ LAYOUTS: dict[str, Callable[[Array], Any]] = {
     "big endian": lambda p: p.astype(">f8"),
     "a list of lists": lambda p: p.tolist(),
     "read only": lambda p: np.frombuffer(p.tobytes()).reshape(-1, 3),
-    "a memory view": lambda p: memoryview(p),
+    "a memory view": lambda p: p.data,
     "a cloud": rimline.Cloud,
 }
 

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 SETTINGS = settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 TYPES: Any = st.one_of(arrays.scalar_dtypes(), st.sampled_from(["f4", "f8", ">f8", "i8", "O", "M8[s]", "S3"]).map(np.dtype))
+IDS: Any = st.sampled_from([np.dtype("i4"), np.dtype("i8"), np.dtype("u8"), np.dtype("f8")])
 NUMBERS = st.one_of(
     st.floats(width=64),
     st.sampled_from([0.0, -0.0, 1.0, 1e-320, 1e-160, 1e150, 1.7e308, -1.7e308, np.nan, np.inf, 0.1, 1 / 3]),
@@ -59,8 +60,7 @@ def test_any_kind_of_degenerate_cloud(count: int, seed: int, kind: str) -> None:
 
 @SETTINGS
 @given(
-    arrays.arrays(st.sampled_from([np.dtype("i4"), np.dtype("i8"), np.dtype("u8"), np.dtype("f8")]),
-                  arrays.array_shapes(max_dims=2, max_side=6)),
+    arrays.arrays(IDS, arrays.array_shapes(max_dims=2, max_side=6)),
     arrays.arrays(np.float64, st.tuples(st.integers(0, 8), st.integers(0, 4)), elements=NUMBERS),
 )
 def test_any_ids_and_rows_to_the_stages(ids: npt.NDArray[Any], rows: npt.NDArray[Any]) -> None:

@@ -54,7 +54,7 @@ def test_defaults_and_ranges_are_those_that_the_tool_tells(tool: Tool) -> None:
 
 def test_presets_have_the_defaults_of_the_library(cap: rimline.Sample) -> None:
     for preset in _core.presets():
-        given = {} if preset == "default" else {"generations": 3}
+        given: dict[str, Any] = {} if preset == "default" else {"generations": 3}
         reported = rimline.boundary(cap.points, preset=preset, **given).report["options"]
         expected = rimline.options(preset) | given
         assert {name: reported[name] for name in expected if name in reported} == {
@@ -122,5 +122,5 @@ def test_the_stub_has_the_same_options() -> None:
 def test_holes_up_and_corners_are_checked(cap: rimline.Sample) -> None:
     for wrong in ({"holes": "close"}, {"up": (0, 0, 0)}, {"corners": (0, 1, 2, 99999), "domain": "square"}):
         with pytest.raises(rimline.Error) as caught:
-            rimline.reconstruct(cap.points, **wrong)  # type: ignore[arg-type]
+            rimline.reconstruct(cap.points, **wrong)
         assert caught.value.code is rimline.ErrorCode.BadOption
