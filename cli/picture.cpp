@@ -184,21 +184,12 @@ void panel_points(cairo_t* cairo, const Stage3d& stage, const Raster& screen, co
   paint(cairo, raster);
 }
 
-void panel_candidates(cairo_t* cairo, const Stage3d& stage, const Raster& screen, const Run& run) {
+// Points that `flags` marks in the colour, the others in grey.
+void panel_marked(cairo_t* cairo, const Stage3d& stage, const Raster& screen,
+                  const std::vector<std::uint8_t>& flags, Colour colour, const Run& run) {
   Raster raster = screen;
-  const auto& candidate = stage.scene.boundary.candidate;
   draw_points(raster, stage, run, [&](std::size_t i, double nearness) {
-    if (candidate[i] != 0) return mix(mix(candidate_colour, grey_far, 0.35), candidate_colour, nearness);
-    return mix(grey_far, grey_near, nearness);
-  });
-  paint(cairo, raster);
-}
-
-void panel_chromosome(cairo_t* cairo, const Stage3d& stage, const Raster& screen, const Run& run) {
-  Raster raster = screen;
-  const auto& chromosome = stage.scene.boundary.chromosome;
-  draw_points(raster, stage, run, [&](std::size_t i, double nearness) {
-    if (chromosome[i] != 0) return mix(mix(outer_colour, grey_far, 0.35), outer_colour, nearness);
+    if (flags[i] != 0) return mix(mix(colour, grey_far, 0.35), colour, nearness);
     return mix(grey_far, grey_near, nearness);
   });
   paint(cairo, raster);
@@ -291,7 +282,9 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
   const auto& probability = scene.boundary.boundary_probability;
   if (probability.empty()) {
     panels.push_back({"candidates", plural(report.candidates, "candidate"),
-                      [&](cairo_t* cairo) { panel_candidates(cairo, stage, screen, run); }});
+                      [&](cairo_t* cairo) {
+                        panel_marked(cairo, stage, screen, scene.boundary.candidate, candidate_colour, run);
+                      }});
   } else {
     const auto likely =
         std::count_if(probability.begin(), probability.end(), [](float p) { return p > 0.5F; });
@@ -300,7 +293,9 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
   }
   if (!scene.boundary.chromosome.empty()) {
     panels.push_back({"chromosome", plural(report.search.winner_points, "point"),
-                      [&](cairo_t* cairo) { panel_chromosome(cairo, stage, screen, run); }});
+                      [&](cairo_t* cairo) {
+                        panel_marked(cairo, stage, screen, scene.boundary.chromosome, outer_colour, run);
+                      }});
   }
   std::size_t on_loops = 0;
   for (const Loop& loop : scene.boundary.loops) on_loops += loop.points.size();

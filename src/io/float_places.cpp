@@ -5,12 +5,6 @@
 #include <limits>
 
 namespace rimline::io {
-namespace {
-
-struct Box {
-  Point low{1, 1, 1}, high{0, 0, 0};
-  bool empty() const { return low.x > high.x; }
-};
 
 Box box_of(Points points) {
   Box box;
@@ -22,6 +16,8 @@ Box box_of(Points points) {
   }
   return box;
 }
+
+namespace {
 
 Point as_floats(Point p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};

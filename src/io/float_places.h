@@ -8,6 +8,14 @@
 
 namespace rimline::io {
 
+// Of finite points; empty where there are none.
+struct Box {
+  Point low{1, 1, 1}, high{0, 0, 0};
+  bool empty() const { return low.x > high.x; }
+};
+
+Box box_of(Points points);
+
 // What is taken off all coordinates before they are made floats: nothing where floats hold them to a
 // millionth of the diagonal of their box, else a round point near its middle.
 Point offset_for_floats(const Cloud& cloud);

@@ -21,22 +21,6 @@ constexpr int code_ubyte = 5121, code_uint = 5125, code_float = 5126;
 constexpr int target_vertices = 34962, target_indices = 34963;
 constexpr int mode_points = 0, mode_triangles = 4;
 
-struct Box {
-  Point low{1, 1, 1}, high{0, 0, 0};
-  bool empty() const { return low.x > high.x; }
-};
-
-Box bounds(Points points) {
-  Box box;
-  for (const Point& p : points) {
-    if (!is_finite(p)) continue;
-    if (box.empty()) box = {p, p};
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-  }
-  return box;
-}
-
 // The buffer is described first and written after, view by view in the same order.
 class Document {
  public:
@@ -170,7 +154,7 @@ void write_buffer(SafeFile& file, const Attributes& a, const Triangles& triangle
 
 Point write_glb(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   const auto& [cloud, triangles, ignored] = mesh;
-  const Box box = bounds(cloud.points);
+  const Box box = box_of(cloud.points);
   const Attributes attributes = attributes_of(cloud, triangles, box);
   Document document;
   check_floats(mesh, attributes.middle, "glTF binary");
