@@ -303,7 +303,8 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
                     plural(scene.boundary.loops.size(), "loop") + ", " + plural(on_loops, "point"),
                     [&](cairo_t* cairo) { panel_boundary(cairo, stage, screen, run); }});
   if (!scene.uv.empty()) {
-    panels.push_back({"map", fmt::format("residual {:.0e}", report.map.residual),
+    const bool mapped = std::ranges::any_of(scene.uv, [](UV p) { return std::isfinite(p.u); });
+    panels.push_back({"map", mapped ? fmt::format("residual {:.0e}", report.map.residual) : "none",
                       [&](cairo_t* cairo) { panel_map(cairo, stage, run); }});
   }
   if (!scene.triangles.empty()) {
