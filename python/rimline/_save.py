@@ -39,19 +39,24 @@ def _lengthened(values: npt.NDArray[Any], added: int) -> npt.NDArray[Any]:
     return np.concatenate([values, np.full(added, unknown, values.dtype)])
 
 
+def _fills_holes(result: ReconstructResult) -> bool:
+    """Presets that do not use the option leave it out of their report."""
+    return bool(result.report["options"].get("holes", "keep") != "keep")
+
+
 def _mesh_columns(result: ReconstructResult) -> Columns:
     made = {name: _lengthened(values, len(result.added)) for name, values in result.columns.items()}
     made |= {"u": result.uv[:, 0], "v": result.uv[:, 1]}
     made["boundary"] = _lengthened(result.boundary, len(result.added))
     if result.patch is not None:
         made["component"] = result.patch
-    if result.report["options"]["holes"] != "keep":
+    if _fills_holes(result):
         made["filled"] = np.arange(len(result.uv)) >= len(result.points)
     return made
 
 
 def _face_columns(result: ReconstructResult) -> Columns:
-    if result.report["options"]["holes"] == "keep" or result.filled is None:
+    if not _fills_holes(result) or result.filled is None:
         return {}
     return {"filled": result.filled}
 
