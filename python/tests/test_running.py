@@ -120,8 +120,10 @@ def test_a_bar(cap: rimline.Sample, capsys: pytest.CaptureFixture[str]) -> None:
     assert "neighbours" in capsys.readouterr().err
 
 
+# A shell that starts the tests in the background has them ignore SIGINT, and so their children.
 INTERRUPTED = """
-import sys, time, rimline
+import signal, sys, time, rimline
+signal.signal(signal.SIGINT, signal.default_int_handler)
 points = rimline.sample("wavy-saddle", 400_000, sampling="random").points
 print("ready", flush=True)
 try:
