@@ -15,13 +15,14 @@ namespace rimline {
 struct Arrangement {
   std::vector<Point> points;      // finite, distinct; the input's less `origin`
   std::vector<Index> ids;         // points[i] is the input's point ids[i]
-  Point origin;                   // the centre of the bounding box of the finite points
+  Point origin;                   // the centre of the bounding box of the points that take part
   std::vector<Index> not_finite;  // input ids, ascending
   std::vector<Index> duplicates;  // input ids, ascending; the lowest id of each place is kept
-  std::vector<Index> stray;       // input ids, ascending; filled by leave_out_stray()
+  std::vector<Index> stray;       // input ids, ascending; far ones, and those of leave_out_stray()
 };
 
-// Throws TooFewPoints where no finite point is left.
+// Points out of all proportion, a million times as far away as most are from each other, are stray at once:
+// next to them, all others would be one place. Throws TooFewPoints where no finite point is left.
 Arrangement arrange(Points input, const Run& run);
 
 // Finds the groups of the mutual k-nearest graph (each of two points in the other's list) that have fewer

@@ -31,7 +31,7 @@ void check(Points points, const Options& options, const Given& given, Stage last
 }  // namespace
 
 BoundaryResult find_boundary(Points points, const Options& options, const Run& run, const Given& given) {
-  if (const auto scaled = scaled_to_unit(points, options, given))
+  if (const auto scaled = scaled_to_unit(points, options, given, run))
     return run_scaled(find_boundary, *scaled, options, run);
   const Method& method = method_of(options.preset);
   check(points, options, given, Stage::Loops, run);
@@ -48,7 +48,7 @@ BoundaryResult find_boundary(Points points, const Options& options, const Run& r
 }
 
 ParameterizeResult parameterize(Points points, const Options& options, const Run& run, const Given& given) {
-  if (const auto scaled = scaled_to_unit(points, options, given))
+  if (const auto scaled = scaled_to_unit(points, options, given, run))
     return run_scaled(parameterize, *scaled, options, run);
   const Method& method = method_of(options.preset);
   check(points, options, given, Stage::Refine, run);
@@ -70,7 +70,7 @@ ParameterizeResult parameterize(Points points, const Options& options, const Run
 }
 
 ReconstructResult reconstruct(Points points, const Options& options, const Run& run, const Given& given) {
-  if (const auto scaled = scaled_to_unit(points, options, given))
+  if (const auto scaled = scaled_to_unit(points, options, given, run))
     return run_scaled(reconstruct, *scaled, options, run);
   const Method& method = method_of(options.preset);
   check(points, options, given, Stage::Measure, run);

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 
 #include "base/domain_traits.h"
-#include "points/morton.h"
+#include "points/far_points.h"
 
 namespace rimline::pipeline {
 namespace {
@@ -17,6 +18,15 @@ constexpr int usual = 32;  // exponents of extents that are left alone
 void scale(double& value, int exponent) { value = std::ldexp(value, exponent); }
 void scale(Point& p, int exponent) {
   for (double* x : {&p.x, &p.y, &p.z}) scale(*x, exponent);
+}
+// As above; a finite point, far from most of the others, stays finite.
+void scale_input(std::vector<Point>& points, int exponent) {
+  constexpr double most = std::numeric_limits<double>::max();
+  for (Point& p : points) {
+    if (!is_finite(p)) continue;
+    scale(p, exponent);
+    for (double* x : {&p.x, &p.y, &p.z}) *x = std::clamp(*x, -most, most);
+  }
 }
 void scale(UV& p, int exponent) {
   for (double* x : {&p.u, &p.v}) scale(*x, exponent);
@@ -32,11 +42,16 @@ void scale(SpacingSummary& s, int exponent) {
   for (double* x : {&s.mean, &s.least, &s.most, &s.low, &s.high}) scale(*x, exponent);
 }
 
-// Of half the extent of the finite points, whose double may overflow; 0 where they are all in one place.
-int exponent_of(Points points) {
-  PointBox box;
+// Of half the extent of the finite points that are not far, whose double may overflow; 0 where they are all
+// in one place.
+int exponent_of(Points points, const Run& run) {
+  PointBox all, box;
   for (const Point& p : points) {
-    if (is_finite(p)) box.add(p);
+    if (is_finite(p)) all.add(p);
+  }
+  const PointBox near = box_without_far_points(points, all, run).value_or(all);
+  for (const Point& p : points) {
+    if (near.has(p)) box.add(p);
   }
   const double half = std::max({0.5 * box.high.x - 0.5 * box.low.x, 0.5 * box.high.y - 0.5 * box.low.y,
                                 0.5 * box.high.z - 0.5 * box.low.z});
@@ -79,11 +94,12 @@ void scale_map(std::vector<UV>& uv, const Scaled& scaled) {
 
 }  // namespace
 
-std::optional<Scaled> scaled_to_unit(Points points, const Options& options, const Given& given) {
-  const int exponent = exponent_of(points);
+std::optional<Scaled> scaled_to_unit(Points points, const Options& options, const Given& given,
+                                     const Run& run) {
+  const int exponent = exponent_of(points, run);
   if (std::abs(exponent) <= usual) return std::nullopt;
   Scaled scaled{exponent, {points.begin(), points.end()}, options, given};
-  scale(scaled.points, -exponent);
+  scale_input(scaled.points, -exponent);
   scale(scaled.given.reference.points, -exponent);
   scale(scaled.options.mesh.holes.most_length, -exponent);
   return scaled;

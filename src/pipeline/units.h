@@ -21,7 +21,8 @@ struct Scaled {
 
 // Nothing for a cloud whose extent is between 2^-32 and 2^32: lengths up to the power of 15 then fit a
 // double.
-std::optional<Scaled> scaled_to_unit(Points points, const Options& options, const Given& given);
+std::optional<Scaled> scaled_to_unit(Points points, const Options& options, const Given& given,
+                                     const Run& run);
 
 // From that unit to the input's. Lengths and areas that the numbers can not hold become infinite or 0.
 void to_input_unit(const Scaled& scaled, const Options& options, BoundaryResult& result);

@@ -11,10 +11,11 @@
 #include <numeric>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "base/parallel.h"
 #include "base/prefault.h"
-#include "points/morton.h"
+#include "points/far_points.h"
 #include "rimline/unfilled.h"
 
 namespace rimline {
@@ -64,7 +65,19 @@ struct Cells {
   std::vector<std::size_t> first;  // of each cell, and the end of the last
 };
 
-// Puts the points that are finite into their cells. Each block of them is counted first, and so knows where
+// Names the finite points that the box does not have, in order, and makes it the box of those that it has.
+void leave_out_far(Points input, PointBox& box, std::vector<Index>& far) {
+  const PointBox limits = std::exchange(box, PointBox{});
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    if (limits.has(input[i])) {
+      box.add(input[i]);
+    } else if (is_finite(input[i])) {
+      far.push_back(static_cast<Index>(i));
+    }
+  }
+}
+
+// Puts the points that the box has into their cells. Each block of them is counted first, and so knows where
 // in each cell it has to write.
 Cells put_in_cells(Points input, const MortonCurve& curve, const PointBox& box, const Run& run) {
   Cells cells;
@@ -72,7 +85,7 @@ Cells put_in_cells(Points input, const MortonCurve& curve, const PointBox& box, 
   const std::size_t blocks = std::clamp<std::size_t>(input.size() / 32768, 1, 64);
   const auto read_block = [&](std::size_t k, const auto& body) {
     for (std::size_t i = input.size() * k / blocks; i < input.size() * (k + 1) / blocks; ++i) {
-      if (!is_finite(input[i])) continue;
+      if (!box.has(input[i])) continue;  // not finite, or far
       const std::uint64_t code = curve.code(input[i]);
       body(Place{code, static_cast<Index>(i)}, code >> cells.shift);
     }
@@ -196,9 +209,13 @@ Arrangement arrange(Points input, const Run& run) {
     throw Error(ErrorCode::OutOfMemory, "more points than ids: at most 2,147,483,646 can be taken");
   }
   Arrangement result;
-  const PointBox box = find_box(input, result.not_finite, run);
+  PointBox box = find_box(input, result.not_finite, run);
   if (result.not_finite.size() == input.size()) {
     throw Error(ErrorCode::TooFewPoints, "no point has finite coordinates");
+  }
+  if (const auto near = box_without_far_points(input, box, run)) {
+    box = *near;
+    leave_out_far(input, box, result.stray);
   }
   result.origin = box.centre();
   Cells cells = put_in_cells(input, MortonCurve(box), box, run);

@@ -25,6 +25,9 @@ struct PointBox {
     low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y), std::min(low.z, other.low.z)};
     high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y), std::max(high.z, other.high.z)};
   }
+  bool has(Point p) const {
+    return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z && p.z <= high.z;
+  }
   // Halves first: the sum of two ends may overflow.
   Point centre() const { return 0.5 * low + 0.5 * high; }
   double extent() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
