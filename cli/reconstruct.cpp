@@ -78,6 +78,7 @@ void run_reconstruct(const MethodArguments& arguments) {
   const WrittenMesh written =
       write_mesh(arguments.output, in.cloud, result.triangles, session.run(), face_columns);
   Report report = told(in, result.boundary.report);
+  report.offset = written.offset;
   report.warnings.insert(report.warnings.end(), written.notices.begin(), written.notices.end());
   finish(arguments, outputs,
          {.points = in.cloud.points,

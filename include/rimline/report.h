@@ -206,7 +206,8 @@ struct Report {
   std::vector<ComponentSummary> components;  // preset `default`, of the mesh
   std::vector<LeftOut> left_out;             // preset `default`, the largest first
   double longest_edge = 0;                   // of the mesh, over the median spacing
-  std::vector<std::string> warnings;         // one sentence each, for people
+  Point offset;                       // taken off all coordinates in the mesh's file: zero, but for STL
+  std::vector<std::string> warnings;  // one sentence each, for people
 
   int threads = 0;
   std::vector<StageCost> stages;

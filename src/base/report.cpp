@@ -279,6 +279,7 @@ std::string to_json(const Report& report) {
     json["mesh"]["self_intersections"] = report.self_intersections;
     json["mesh"]["more_self_intersections"] = report.more_self_intersections;
     json["mesh"]["longest_edge_over_median_spacing"] = report.longest_edge;
+    json["mesh"]["offset"] = {report.offset.x, report.offset.y, report.offset.z};
     json["distortion"] = distortion_json(report.distortion);
   }
   if (report.holes) json["holes"] = holes_json(report.options, *report.holes);

@@ -70,9 +70,10 @@ struct Attributes {
   bool has_uv() const { return u != nullptr && v != nullptr; }
 };
 
-// Unused points may have no place; the standard allows no NaN.
+// Unused points may have no place, or one that no float holds; the standard allows neither.
 Point local_place(const Attributes& a, std::size_t i) {
-  return is_finite(a.points[i]) ? a.points[i] - a.middle : Point{};
+  const Point place = a.points[i] - a.middle;
+  return floats_hold(place) ? place : Point{};
 }
 
 Point unit_normal(Point normal) {
@@ -82,7 +83,7 @@ Point unit_normal(Point normal) {
 
 float finite_float(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0f; }
 
-Json as_floats(Point p) {  // exactly what is written, as the standard asks for
+Json json_of(Point p) {  // exactly what is written, as the standard asks for
   return Json::array({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
 }
 
@@ -97,16 +98,15 @@ Attributes attributes_of(const Cloud& cloud, const Triangles& triangles, const B
   return a;
 }
 
-Json describe(Document& document, const Attributes& a, const Box& box, const Triangles& triangles) {
+Json describe(Document& document, const Attributes& a, const Triangles& triangles) {
   const std::size_t count = a.points.size();
   Json attributes;
   const int position = document.add(count, "VEC3", code_float, 12, target_vertices);
   attributes["POSITION"] = position;
-  Point low = box.low - a.middle, high = box.high - a.middle;
-  if (box.empty()) low = high = {};
-  // Points without a place are written as the middle, which lies within the box.
-  document.accessor(position)["min"] = as_floats(low);
-  document.accessor(position)["max"] = as_floats(high);
+  Box written;
+  for (std::size_t i = 0; i < count; ++i) written.add(local_place(a, i));
+  document.accessor(position)["min"] = json_of(written.empty() ? Point{} : written.low);
+  document.accessor(position)["max"] = json_of(written.empty() ? Point{} : written.high);
   attributes["NORMAL"] = document.add(count, "VEC3", code_float, 12, target_vertices);
   if (a.has_uv()) attributes["TEXCOORD_0"] = document.add(count, "VEC2", code_float, 8, target_vertices);
   if (a.colours) {
@@ -154,11 +154,10 @@ void write_buffer(SafeFile& file, const Attributes& a, const Triangles& triangle
 
 Point write_glb(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   const auto& [cloud, triangles, ignored] = mesh;
-  const Box box = box_of(cloud.points);
-  const Attributes attributes = attributes_of(cloud, triangles, box);
+  const Attributes attributes = attributes_of(cloud, triangles, box_of_corners(mesh));
   Document document;
   check_floats(mesh, attributes.middle, "glTF binary");
-  const Json primitive = describe(document, attributes, box, triangles);
+  const Json primitive = describe(document, attributes, triangles);
   const std::string json = document.text(primitive, attributes.middle);
   const std::size_t total = 12 + 8 + json.size() + 8 + document.size();
   if (total > std::numeric_limits<std::uint32_t>::max()) {

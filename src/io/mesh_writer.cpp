@@ -160,7 +160,7 @@ std::string stl_header(Point offset) {
 
 Point write_stl(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   const auto& [cloud, triangles, ignored] = mesh;
-  const Point offset = offset_for_floats(cloud);
+  const Point offset = offset_for_floats(mesh);
   check_floats(mesh, offset, "STL");
   file.write(stl_header(offset));
   file.little(static_cast<std::uint32_t>(triangles.size()));

@@ -84,6 +84,7 @@ TEST_CASE("a mesh in UTM keeps all its corners in STL, less an offset that the r
   for (const auto& warning : report.at("warnings"))
     named = named || contains(warning.get<std::string>(), "were taken off x, y and z");
   CHECK(named);
+  CHECK(report.at("mesh").at("offset") != nlohmann::json({0.0, 0.0, 0.0}));
   const std::string stl = read_file(folder / "m.stl");
   CHECK(contains(stl.substr(0, 80), "add "));
   std::set<std::string> corners;

@@ -116,9 +116,26 @@ TEST_CASE("an STL of coordinates that floats hold has no offset") {
   CHECK(written.notices.empty());
 }
 
+TEST_CASE("a point far from the mesh takes no digit from the mesh in STL and glTF binary") {
+  const TemporaryDirectory directory;
+  const Cloud cloud = far_sheet(20);
+  Cloud both = cloud;
+  both.points.push_back({1e30, 0, 0});
+  both.points.push_back({0, -1e300, 0});
+  const WrittenMesh alone = write_mesh(directory.file("alone.stl"), cloud, sheet_triangles(20), {});
+  CHECK(write_mesh(directory.file("both.stl"), both, sheet_triangles(20), {}).offset == alone.offset);
+  CHECK(content_of(directory.file("both.stl")) == content_of(directory.file("alone.stl")));
+  write_mesh(directory.file("both.glb"), both, sheet_triangles(20), {});
+  const Cloud back = read_cloud(directory.file("both.glb"), {});
+  REQUIRE(back.points.size() == 402);
+  for (int i = 0; i < 400; ++i) CHECK(norm(back.points[i] - cloud.points[i]) < 1e-6);
+  CHECK(back.points[400].x == doctest::Approx(1e30));
+  CHECK(norm(back.points[401] - cloud.points[0]) < 100);  // beyond all floats: in the middle
+}
+
 TEST_CASE("corners that 32 bits can not part are refused, and no file is left") {
   Cloud cloud;
-  cloud.points = {{0, 0, 0}, {1e9, 0, 0}, {1e9 + 1, 0, 0}, {0, 1, 0}};
+  cloud.points = {{0, 0, 0}, {1e9, 0, 0}, {1e9 + 1, 0, 0}, {0, 1, 0}, {1e200, 0, 0}};
   for (const char* name : {"a.stl", "a.glb"}) {
     CAPTURE(name);
     const TemporaryDirectory directory;
@@ -130,6 +147,7 @@ TEST_CASE("corners that 32 bits can not part are refused, and no file is left") 
       CHECK(error.ids() == std::vector<Index>{1, 2});
       CHECK(contains(error.what(), "32 bits"));
     }
+    CHECK_THROWS_AS(write_mesh(directory.file(name), cloud, {{0, 3, 4}}, {}), Error);  // 1e200 is no float
     CHECK(directory.names().empty());
   }
 }
