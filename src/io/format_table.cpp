@@ -57,7 +57,8 @@ std::vector<Format> make_formats() {
                          .faces = true}},
             .mesh = {{"stl", "corners of triangles, as floats",
                       "normals of the triangles. Where 32 bits can not hold the coordinates, an offset is "
-                      "taken off all, which the header (`add X Y Z`) and the report's warnings name"}}},
+                      "taken off all, which the header (`add X Y Z`), the summary and the report "
+                      "(`mesh.offset`) name"}}},
        .told = tells_stl,
        .may_be = is_not_text,
        .start = "solid",
@@ -119,26 +120,33 @@ std::vector<Format> make_formats() {
                                   "have them",
                               .faces = true}},
                  .mesh = {{"glb",
-                           "all points, in order, as floats about the middle of their box; the middle, in "
+                           "all points, in order, as floats about the middle of the box of the triangles; "
+                           "the middle, in "
                            "double, is the node's translation",
                            "`NORMAL` (the input's or those of the mesh), `TEXCOORD_0` (`u`, `1 - v`, as glTF "
                            "counts v downwards), `COLOR_0` from `red green blue`. Points without a "
-                           "finite place are put in the middle and are in no triangle. The material is seen "
+                           "place that a float holds are put in the middle and are in no triangle. The "
+                           "material is seen "
                            "from both sides. Axes are not turned"}}},
        .told = is_glb,
        .start = "glTF",
        .read = read_glb,
        .read_faces = read_glb_faces,
        .write_mesh = write_glb},
-      {.about = {.name = "LAS/LAZ/COPC",
-                 .endings = {"las", "laz"},
-                 .reading = {{.told_by = "`LASF`",
-                              .points = "the records of versions 1.0 to 1.4, compressed or not, by scale and "
-                                        "offset in double",
-                              .kept = "`intensity`, `return_number`, `number_of_returns`, `classification`, "
-                                      "`scan_angle` (degrees), `user_data`, `point_source_id`, `gps_time`, "
-                                      "ushort `red green blue`, `nir`",
-                              .built = has_scan_formats}}},
+      {.about =
+           {.name = "LAS/LAZ/COPC",
+            .endings = {"las", "laz"},
+            .reading = {{.told_by = "`LASF`",
+                         .points = "the records of versions 1.0 to 1.4, compressed or not, by scale and "
+                                   "offset in double",
+                         .kept = "`intensity`, `return_number`, `number_of_returns`, `classification`, "
+                                 "`scan_angle` (degrees), `user_data`, `point_source_id`, `gps_time`, "
+                                 "ushort `red green blue`, `nir`; the flags `scan_direction_flag`, "
+                                 "`edge_of_flight_line`, `synthetic`, `key_point`, `withheld`, from format 6 "
+                                 "`overlap` and `scanner_channel`; extra bytes that the file describes, by "
+                                 "scale and offset where it has them (64-bit integers as double). Waveforms "
+                                 "are not kept",
+                         .built = has_scan_formats}}},
        .told = is_las,
        .start = "LASF",
        .read = read_scan},

@@ -24,6 +24,10 @@ def needs_scan_formats(tool):
         raise Skipped("the tool was built without RIMLINE_SCAN_FORMATS")
 
 
+FLAGS = ("scan_direction_flag", "edge_of_flight_line", "synthetic", "key_point", "withheld", "overlap",
+         "scanner_channel")
+
+
 def make_las(laspy, points, point_format, version):
     random = np.random.default_rng(7)
     header = laspy.LasHeader(point_format=point_format, version=version)
@@ -43,6 +47,12 @@ def make_las(laspy, points, point_format, version):
     for name in ("red", "green", "blue", "nir"):
         if name in names:
             las[name] = random.integers(0, 65536, count)
+    for name in FLAGS:
+        if name in names:
+            las[name] = random.integers(0, 2, count)
+    las.add_extra_dim(laspy.ExtraBytesParams("width", np.int32, scales=np.array([0.125]), offsets=np.array([7.0])))
+    las.add_extra_dim(laspy.ExtraBytesParams("amplitude", np.float64))
+    las["width"], las["amplitude"] = random.integers(-1000, 1000, count) * 0.125 + 7, random.normal(size=count)
     return las
 
 
@@ -54,7 +64,7 @@ def compare_las(tool, las, path, *options, chosen=slice(None)):
         same(found[axis], raw * las.header.scales[index] + las.header.offsets[index], f"{path.name}: {axis}")
     names = set(las.point_format.dimension_names)
     for name in ("intensity", "classification", "return_number", "number_of_returns", "point_source_id",
-                 "user_data", "gps_time", "red", "green", "blue", "nir"):
+                 "user_data", "gps_time", "red", "green", "blue", "nir", "width", "amplitude", *FLAGS):
         assert (name in names) == (name in found.dtype.names), f"{path.name}: {name}"
         if name in names:
             same(found[name], np.asarray(las[name])[chosen], f"{path.name}: {name}")

@@ -53,6 +53,55 @@ TEST_CASE("LAS and LAZ give every number of every point, coordinates by scale an
   CHECK(read_cloud(file("points_1.4.las"), {}).format == "LAS 1.4, point format 7");
 }
 
+TEST_CASE("flags and extra bytes of LAS and LAZ are columns, scaled where they say so") {
+  if (skipped()) return;
+  for (const std::string name : {"points_1.2.las", "points_1.4.laz", "extra_1.2.las", "extra_1.4.laz"}) {
+    CAPTURE(name);
+    const Cloud cloud = read_cloud(file(name), {});
+    const bool extra = name.starts_with("extra"), extended = contains(name, "1.4");
+    CHECK((cloud.find("overlap") != nullptr) == extended);
+    CHECK((cloud.find("scanner_channel") != nullptr) == extended);
+    CHECK((cloud.find("width") != nullptr) == extra);
+    for (int i = 0; i < 20; ++i) {
+      CAPTURE(i);
+      const auto value = [&](const char* column) { return cloud.find(column)->value(i); };
+      CHECK(value("scan_direction_flag") == (extra ? i % 2 : 0));
+      CHECK(value("edge_of_flight_line") == (extra ? i / 2 % 2 : 0));
+      CHECK(value("synthetic") == (extra ? i / 4 % 2 : 0));
+      CHECK(value("key_point") == (extra ? i / 8 % 2 : 0));
+      CHECK(value("withheld") == (extra ? i / 16 % 2 : 0));
+      if (extended) CHECK(value("overlap") == (extra ? i % 3 == 0 : 0));
+      if (extended) CHECK(value("scanner_channel") == (extra ? i % 4 : 0));
+      if (!extra) continue;
+      CHECK(value("width") == doctest::Approx(10 + 0.25 * i).epsilon(1e-15));
+      CHECK(value("deviation") == -3 * i);
+      CHECK(value("sum") == 0.5f * i);
+      CHECK(value("beam_0") == i);
+      CHECK(value("beam_2") == 3 * i);
+    }
+    if (!extra) continue;
+    CHECK(cloud.find("width")->type == Scalar::Float64);
+    CHECK(cloud.find("deviation")->type == Scalar::Int16);
+    CHECK(cloud.find("sum")->type == Scalar::Float32);
+    CHECK(cloud.find("beam_1")->type == Scalar::UInt8);
+    CHECK(!contains(cloud.format, "does not describe"));
+  }
+}
+
+TEST_CASE("extra bytes that nothing describes are told, and damage to their description is survived") {
+  if (skipped()) return;
+  std::string bytes = content_of(file("extra_1.2.las"));
+  const std::size_t record = bytes.find("LASF_Spec") + 52;  // the first description, after a head of 54
+  REQUIRE(record < bytes.size());
+  for (int type = 0; type < 256; ++type) {
+    bytes[record + 2] = static_cast<char>(type);
+    const Cloud cloud = read_bytes("a.las", bytes);
+    CHECK(cloud.points.size() == 20);
+    const bool two_bytes = type == 3 || type == 4 || type == 11 || type == 12;
+    CHECK(contains(cloud.format, "does not describe") != two_bytes);
+  }
+}
+
 TEST_CASE("scans of an E57 follow each other, each moved by its pose") {
   if (skipped()) return;
   const Cloud cloud = read_cloud(file("two_scans.e57"), {});

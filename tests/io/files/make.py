@@ -26,6 +26,24 @@ def las(point_format, version, name):
     points.write(folder / name)
 
 
+def extra(point_format, version, name):
+    header = laspy.LasHeader(point_format=point_format, version=version)
+    header.scales, header.offsets = [0.01] * 3, [0, 0, 0]
+    header.add_extra_dims([
+        laspy.ExtraBytesParams("width", np.uint16, scales=np.array([0.25]), offsets=np.array([10.0])),
+        laspy.ExtraBytesParams("deviation", np.int8), laspy.ExtraBytesParams("sum", np.float32),
+        laspy.ExtraBytesParams("beam", "3u1")])
+    points = laspy.LasData(header)
+    points.X, points.Y, points.Z = 7 * i, -i, i
+    points["width"], points["deviation"], points["sum"] = 10 + 0.25 * i, -3 * i, 0.5 * i
+    points["beam"] = np.stack([i, 2 * i, 3 * i], axis=1)
+    points.scan_direction_flag, points.edge_of_flight_line = i % 2, i // 2 % 2
+    points.synthetic, points.key_point, points.withheld = i // 4 % 2, i // 8 % 2, i // 16 % 2
+    if point_format >= 6:
+        points.overlap, points.scanner_channel = i % 3 == 0, i % 4
+    points.write(folder / name)
+
+
 def e57(name):
     file = pye57.E57(str(folder / name), mode="w")
     for scan in range(2):
@@ -42,4 +60,6 @@ las(3, "1.2", "points_1.2.las")
 las(3, "1.2", "points_1.2.laz")
 las(7, "1.4", "points_1.4.las")
 las(7, "1.4", "points_1.4.laz")
+extra(3, "1.2", "extra_1.2.las")
+extra(7, "1.4", "extra_1.4.laz")
 e57("two_scans.e57")

@@ -2,6 +2,7 @@
 //! LAS 1.0 to 1.4, plain or compressed (LAZ, COPC). Chunks of LAZ are decoded one by one, each out of its own
 //! bytes and after its sizes were compared with these.
 
+use crate::las_bits::Bits;
 use crate::laz_chunks::Chunks;
 use crate::scan::{bytes_at, check_points, About, Column, Kind, Result, Scan};
 use crate::units;
@@ -20,6 +21,7 @@ pub struct LasFile {
     header: Header,
     record: usize,
     records: Records,
+    bits: Bits,
     read: u64,
     about: About,
 }
@@ -44,7 +46,7 @@ fn check_extended_records(bytes: &[u8]) -> Result<()> {
     Ok(())
 }
 
-fn columns_of(header: &Header) -> Vec<Column> {
+fn columns_of(header: &Header, bits: &Bits) -> Vec<Column> {
     let format = header.point_format();
     let mut columns = vec![
         Column::new("intensity", Kind::UInt16),
@@ -64,21 +66,25 @@ fn columns_of(header: &Header) -> Vec<Column> {
     if format.has_nir {
         columns.push(Column::new("nir", Kind::UInt16));
     }
+    columns.extend(bits.columns());
     columns
 }
 
-fn name_of(header: &Header, compressed: bool) -> String {
+fn name_of(header: &Header, number: u8, unknown_bytes: usize) -> String {
     let copc = header.all_vlrs().any(|vlr| vlr.user_id == "copc");
     let kind = if copc {
         "COPC"
-    } else if compressed {
+    } else if header.point_format().is_compressed {
         "LAZ"
     } else {
         "LAS"
     };
     let version = header.version();
-    let number = header.point_format().to_u8().unwrap_or(0) & 0x3f;
-    format!("{kind} {}.{}, point format {number}", version.major, version.minor)
+    let name = format!("{kind} {}.{}, point format {number}", version.major, version.minor);
+    match unknown_bytes {
+        0 => name,
+        bytes => format!("{name}, {bytes} bytes a point that it does not describe"),
+    }
 }
 
 impl LasFile {
@@ -103,13 +109,15 @@ impl LasFile {
             }
             Records::Plain { next: 0 }
         };
+        let bits = Bits::new(&header);
+        let [number] = bytes_at::<1>(bytes, 104)?;
         let about = About {
-            format: name_of(&header, compressed),
+            format: name_of(&header, number & 0x3f, bits.unknown),
             unit: units::of_las(&header),
             points,
-            columns: columns_of(&header),
+            columns: columns_of(&header, &bits),
         };
-        Ok(LasFile { bytes, begin, header, record, records, read: 0, about })
+        Ok(LasFile { bytes, begin, header, record, records, bits, read: 0, about })
     }
 
     /// The next records as they are in an uncompressed file; none at the end.
@@ -161,6 +169,11 @@ impl LasFile {
         }
         if let Some(nir) = points.nir() {
             put(&mut nir.map(f64::from));
+        }
+        for (row, record) in
+            rows[first..].chunks_exact_mut(width).zip(points.raw_bytes().chunks_exact(self.record))
+        {
+            self.bits.put(record, &mut row[column..]);
         }
     }
 }

@@ -3,6 +3,7 @@
 //! leaves it, and nothing is kept of the caller's but the bytes, until the scan is closed.
 
 mod e57_file;
+mod las_bits;
 mod las_file;
 mod laz_chunks;
 mod scan;
