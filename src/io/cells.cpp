@@ -50,7 +50,15 @@ bool has_decimal_commas(std::string_view line) {
 
 }  // namespace
 
-bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with("//"); }
+bool is_comment(std::string_view line) {
+  return line.starts_with('#') || line.starts_with("//") || line.starts_with('%');
+}
+
+const char* after_quotes(const char* at, const char* end) {
+  if (at == end || *at != '"') return at;
+  const char* close = std::find(at + 1, end, '"');
+  return close == end ? at : close + 1;
+}
 
 std::vector<std::string_view> split(std::string_view line, CellStyle style) {
   std::vector<std::string_view> cells;
@@ -58,6 +66,7 @@ std::vector<std::string_view> split(std::string_view line, CellStyle style) {
   const char* at = skip_blanks(line.data(), end);
   while (at < end) {
     const char* first = at;
+    at = after_quotes(at, end);
     while (at < end && !is_blank(*at) && !style.parts(*at)) ++at;
     cells.push_back(without_quotes({first, static_cast<std::size_t>(at - first)}));
     at = skip_blanks(at, end);
@@ -92,7 +101,8 @@ CellStyle style_of(std::string_view text) {
 std::vector<std::string_view> split_hard(std::string_view line, CellStyle style) {
   std::vector<std::string_view> cells;
   for (line = trimmed(line); !line.empty();) {
-    const auto* stop = std::find_if(line.begin(), line.end(), [&](char c) { return style.parts(c); });
+    const char* first = after_quotes(skip_blanks(line.begin(), line.end()), line.end());
+    const auto* stop = std::find_if(first, line.end(), [&](char c) { return style.parts(c); });
     const auto length = static_cast<std::size_t>(stop - line.begin());
     cells.push_back(without_quotes(trimmed(line.substr(0, length))));
     line.remove_prefix(std::min(length + 1, line.size()));
@@ -104,6 +114,7 @@ namespace {
 
 // The end of a cell of text: the next separator, or a blank where the line has no other.
 const char* skip_text(const char* at, const char* end, CellStyle style) {
+  at = after_quotes(at, end);
   const char* hard = std::find_if(at, end, [&](char c) { return style.parts(c); });
   return hard != end ? hard : std::find_if(at, end, is_blank);
 }

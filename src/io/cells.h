@@ -14,7 +14,11 @@ struct CellStyle {
   bool parts(char c) const { return c == ';' || (c == ',' && !decimal_commas); }
 };
 
+// Whether a line starts with #, // or %.
 bool is_comment(std::string_view line);
+
+// Behind the quotes that begin at `at`, in which nothing parts; `at` where there are none.
+const char* after_quotes(const char* at, const char* end);
 
 // Cells of a line: parted by blanks, or one separator with blanks around it. A separator at the end of the
 // line starts no cell. Quotes around a cell are taken off.

@@ -38,6 +38,12 @@ std::optional<std::size_t> find_name(const std::vector<NameAndUnit>& names, std:
   return static_cast<std::size_t>(found - names.begin());
 }
 
+// The first such character behind the quotes that the line may start with.
+std::size_t find_outside_quotes(std::string_view line, char c) {
+  const char* first = after_quotes(line.data(), line.data() + line.size());
+  return line.find(c, static_cast<std::size_t>(first - line.data()));
+}
+
 using Words = std::vector<std::string_view>;
 
 // The three columns that start with one of the words each and end alike: LONGITUDE_LOW goes with
@@ -139,18 +145,19 @@ std::string column_name(std::string_view cell) {
 }
 
 std::vector<std::string> header_names(std::string_view line) {
-  while (!line.empty() && (line.front() == '#' || line.front() == '/')) line.remove_prefix(1);
+  while (!line.empty() && (line.front() == '#' || line.front() == '/' || line.front() == '%'))
+    line.remove_prefix(1);
   std::vector<std::string> names;
-  std::size_t hard = line.find(';');
-  if (hard == std::string_view::npos) hard = line.find(',');
-  if (hard == std::string_view::npos) hard = line.find('\t');
+  std::size_t hard = find_outside_quotes(line, ';');
+  if (hard == std::string_view::npos) hard = find_outside_quotes(line, ',');
+  if (hard == std::string_view::npos) hard = find_outside_quotes(line, '\t');
   if (hard == std::string_view::npos) {
     for (const auto cell : split(line, {})) names.push_back(column_name(cell));
     return names;
   }
   const char separator = line[hard];
   while (!trimmed(line).empty()) {
-    const std::size_t stop = std::min(line.find(separator), line.size());
+    const std::size_t stop = std::min(find_outside_quotes(line, separator), line.size());
     names.push_back(column_name(trimmed(line.substr(0, stop))));
     line.remove_prefix(std::min(stop + 1, line.size()));
   }

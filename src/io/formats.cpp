@@ -42,6 +42,7 @@ std::string ending_inside(const Source& source) {
 
 // The content says nothing that would be enough: the ending must be true, or else all is a table of numbers.
 const Format& format_by_ending(const Source& source) {
+  if (is_utf16(source.bytes())) source.fail("is UTF-16 text; save it as UTF-8");
   const std::string ending = ending_inside(source);
   for (const Format& format : formats()) {
     if (format.read == nullptr || !has_ending(format, ending)) continue;

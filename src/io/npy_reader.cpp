@@ -97,7 +97,7 @@ Field read_type(Literal& in, const std::string& name, NpyHeader& header) {
   const auto type = type_of(std::string_view(text).substr(text.empty() ? 0 : 1));
   if (!type) {
     in.fail("the type " + quoted(text) +
-            " is not known; known are integers of 1 to 8 bytes and floats of 4 or 8");
+            " is not known; known are integers of 1 to 8 bytes and floats of 4 or 8: take a.astype(float)");
   }
   const bool big = text.front() == '>';
   const bool swap = size_in_bytes(*type) > 1 && big != (std::endian::native == std::endian::big);
@@ -117,7 +117,8 @@ void read_descr(Literal& in, NpyHeader& header) {
     const std::string name = in.string();
     in.expect(',');
     header.fields.push_back(read_type(in, name, header));
-    if (in.take(',') && in.next() != ')') in.fail("a field that is an array is not read");
+    if (in.take(',') && in.next() != ')')
+      in.fail("a field that is an array is not read; take fields x, y and z");
     in.expect(')');
     in.take(',');
     if (header.fields.size() > most) in.fail("it announces too many fields");
@@ -191,6 +192,10 @@ Cloud read_columns(const NpyHeader& header, const Source& source, const Run& run
   const std::size_t size = size_in_bytes(type);
   const std::uint64_t all = checked_count(header, size, source);
   const std::uint64_t width = header.shape.empty() ? 0 : header.shape.back();
+  if (header.shape.size() == 2 && header.shape[0] == 3 && width > 9) {
+    source.fail("has 3 rows of " + std::to_string(width) +
+                " numbers, but a point is a row; save the transposed array: numpy.save(FILE, a.T)");
+  }
   if (header.shape.size() < 2 || width < 3 || width > 1000) {
     source.fail("is an array without rows of x, y and z; save one of n rows and three columns or more");
   }

@@ -117,6 +117,13 @@ std::string at(const std::string& name, const char* unit, std::size_t number, co
 
 }  // namespace
 
+std::string_view Source::without_mark(std::string_view bytes) {
+  constexpr std::size_t looked_at = 96;  // a binary STL has zeros there
+  const bool is_text = bytes.substr(0, looked_at).find('\0') == std::string_view::npos;
+  if (is_text && bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  return bytes;
+}
+
 void Source::progress(const Run& run, std::size_t done, std::size_t total) const {
   run.progress(Stage::Read, total + done, 2 * total);
 }

@@ -17,9 +17,9 @@ inline constexpr std::size_t items_per_look = 65536;
 class Source {
  public:
   // Bytes that the caller keeps alive.
-  Source(std::string name, std::string_view bytes) : name_(std::move(name)), bytes_(bytes) {}
+  Source(std::string name, std::string_view bytes) : name_(std::move(name)), bytes_(without_mark(bytes)) {}
   Source(std::string name, std::unique_ptr<char[]> storage, std::size_t size)
-      : name_(std::move(name)), storage_(std::move(storage)), bytes_(storage_.get(), size) {}
+      : name_(std::move(name)), storage_(std::move(storage)), bytes_(without_mark({storage_.get(), size})) {}
 
   const std::string& name() const { return name_; }
   // How the file was packed ("gzip"); empty where these are its own bytes.
@@ -36,13 +36,16 @@ class Source {
     progress(run, static_cast<std::size_t>(at - begin()), bytes_.size());
   }
 
-  // All throw Error{CannotRead} with "NAME: ...", "NAME, line 7: ..." or "NAME, byte 123: ...". What to do stands
-  // after a semicolon; a message without one gets a general remedy.
+  // All throw Error{CannotRead} with "NAME: ...", "NAME, line 7: ..." or "NAME, byte 123: ...". What to do
+  // stands after a semicolon; a message without one gets a general remedy.
   [[noreturn]] void fail(const std::string& message) const;
   [[noreturn]] void fail_at_line(const char* at, const std::string& message) const;
   [[noreturn]] void fail_at_byte(const char* at, const std::string& message) const;
 
  private:
+  // Text may start with the byte order mark of UTF-8, which says nothing.
+  static std::string_view without_mark(std::string_view bytes);
+
   std::string name_, packing_;
   std::unique_ptr<char[]> storage_;
   std::string_view bytes_;

@@ -42,6 +42,18 @@ bool is_text(std::string_view bytes) {
   });
 }
 
+bool is_utf16(std::string_view bytes) {
+  constexpr std::size_t looked_at_here = 32;
+  if (bytes.size() < looked_at_here) return false;
+  const auto zeros = [&](std::size_t from) {
+    std::size_t count = 0;
+    for (std::size_t i = from; i < looked_at_here; i += 2) count += bytes[i] == '\0';
+    return count;
+  };
+  constexpr std::size_t all = looked_at_here / 2;
+  return (zeros(0) == all && zeros(1) == 0) || (zeros(1) == all && zeros(0) == 0);
+}
+
 bool tells_ply(std::string_view bytes) { return bytes.starts_with("ply\n") || bytes.starts_with("ply\r"); }
 
 bool tells_pcd(std::string_view bytes) {

@@ -52,7 +52,7 @@ std::optional<std::uint64_t> count_of(const std::vector<std::string_view>& cells
 class TextReader {
  public:
   TextReader(const Source& source, const Run& run)
-      : source_(source), run_(run), lines_(text(source)), style_(style_of(text(source))) {}
+      : source_(source), run_(run), lines_(source.bytes()), style_(style_of(source.bytes())) {}
 
   Cloud read() {
     std::string_view line;
@@ -74,12 +74,6 @@ class TextReader {
   }
 
  private:
-  static std::string_view text(const Source& source) {
-    std::string_view bytes = source.bytes();
-    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // the byte order mark of UTF-8
-    return bytes;
-  }
-
   // True on the first row of numbers; before it come a header and, in PTS files, the number of points.
   bool start_table(std::string_view line) {
     const auto cells = split(line, style_);

@@ -93,9 +93,35 @@ TEST_CASE("the content tells the format, whatever the ending") {
             .points.size() == 1);
 }
 
+TEST_CASE("text of any format may start with the byte order mark of UTF-8") {
+  const std::string mark = "\xef\xbb\xbf", line = "1 2 3\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\nend_header\n";
+  const std::string pcd = "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1\nDATA ascii\n";
+  for (const auto& [name, text] :
+       std::vector<std::pair<std::string, std::string>>{{"a.ply", ply + line},
+                                                        {"a.pcd", pcd + line},
+                                                        {"a.off", "OFF\n1 0 0\n" + line},
+                                                        {"a.obj", "v " + line},
+                                                        {"a.xyz", line},
+                                                        {"noending", ply + line}}) {
+    CAPTURE(name);
+    CHECK(read_bytes(name, mark + text).points == std::vector<Point>{{1, 2, 3}});
+  }
+  CHECK(contains(complaint("a.xyz", mark), "is empty"));
+  CHECK(contains(complaint("a.xyz", mark + "1 2 3\n1 2 z\n"), "line 2: 'z' is not a number"));
+  std::string stl = binary_stl({triangle});
+  stl.replace(0, 3, mark);  // its first 80 bytes are anybody's
+  CHECK(read_bytes("a.stl", stl).points.size() == 3);
+}
+
 TEST_CASE("what can not be read is named, each with its own remedy") {
   CHECK(contains(complaint("a.ply", ""), "a.ply: is empty"));
   CHECK(contains(complaint("a.ply.gz", "\x1f\x8b\x08..."), "unpack it once"));
+  std::string wide;
+  for (const char c : std::string("1.5 2.5 3.5\n4.5 5.5 6.5\n")) wide += {c, '\0'};
+  CHECK(contains(complaint("a.xyz", wide), "is UTF-16 text; save it as UTF-8"));
+  CHECK(contains(complaint("a.xyz", '\0' + wide), "is UTF-16 text; save it as UTF-8"));
   CHECK(contains(complaint("a.zip", "PK\x03\x04..."), "unzip"));
   CHECK(contains(complaint("a.las", "LASF..."), "a.las: "));
   CHECK(contains(complaint("a.ply", "1 2 3\n"), "does not start as PLY does"));

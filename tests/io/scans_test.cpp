@@ -92,6 +92,9 @@ TEST_CASE("an NPY that is wrong is told with the remedy") {
   CHECK(contains(complaint("a", npy("{'descr': '<f8', " + c + "'shape': (3, 2), }", six)), "without rows"));
   CHECK(contains(complaint("a", npy("{'descr': '<U4', " + c + "'shape': (2, 3), }", six)),
                  "'<U4' is not known"));
+  CHECK(contains(complaint("a", npy("{'descr': '<f8', " + c + "'shape': (3, 20), }",
+                                    bytes_of_all<double>(std::vector<double>(60, 1.0)))),
+                 "numpy.save(FILE, a.T)"));
   CHECK(contains(complaint("a", npy("{'descr': '<f8', " + c, six)), "NPY header"));
   CHECK(contains(complaint("a", std::string("\x93NUMPY\x01\x00\xff", 9)), "within its NPY header"));
 }

@@ -112,6 +112,24 @@ TEST_CASE("columns of text under a header are left out, and a warning says which
   CHECK(contains(complaint("a.csv", "name,x,y,z\na,1,2,3\nb,1,c,3\n"), "line 3: 'b' is not a number"));
 }
 
+TEST_CASE("nothing parts within quotes, in a header and in columns of text") {
+  for (const std::string text : {"\"Name, full\",X,Y,Z\n\"Oak, old\",1,2,3\n\"Elm\",4,5,6\n",
+                                 "X;Y;Z;\"Kind; more\"\n1;2;3;\"a;b; c\"\n\"4\";5;6;\"d\"\n",
+                                 "X Y Z \"Kind of tree\"\n1 2 3 \"an oak\"\n4 5 6 \"an elm\"\n"}) {
+    CAPTURE(text);
+    const Cloud cloud = read_bytes("a.csv", text);
+    CHECK(cloud.points == std::vector<Point>{{1, 2, 3}, {4, 5, 6}});
+    CHECK(cloud.columns.empty());
+  }
+  CHECK_FALSE(complaint("a.csv", "X,Y,Z,\"Kind\n1,2,3,\"a,b\n").empty());  // quotes that do not close
+}
+
+TEST_CASE("a comment may start with a per cent sign, and name the columns") {
+  const Cloud cloud = read_bytes("a.txt", "% made by hand\n% z y x i\n3 2 1 7\n6 5 4 8\n");
+  CHECK(cloud.points == std::vector<Point>{{1, 2, 3}, {4, 5, 6}});
+  CHECK(values(cloud, "i") == std::vector<double>{7, 8});
+}
+
 TEST_CASE("degrees are told, as no boundary can be trusted in them") {
   const Cloud cloud = read_bytes("a.csv", "lat,lon,height\n2,1,3\n");
   CHECK(cloud.points == std::vector<Point>{{1, 2, 3}});
