@@ -16,6 +16,17 @@ endif()
 set(scan_formats_folder ${CMAKE_CURRENT_LIST_DIR}/../src/io/scan_formats)
 set(RIMLINE_SCAN_FORMATS_LIBRARY ${PROJECT_BINARY_DIR}/scan_formats/release/librimline_scan_formats.a)
 set(scan_formats_build ${RIMLINE_CARGO} build --release --locked --quiet --target-dir ${PROJECT_BINARY_DIR}/scan_formats)
+if(RIMLINE_BUILD_FUZZ AND RIMLINE_CARGO)
+  # libFuzzer is told what the crates do, as it is of our own code. With --target, tools of the build are left as they are.
+  execute_process(COMMAND ${RIMLINE_CARGO} -vV OUTPUT_VARIABLE told ERROR_QUIET)
+  string(REGEX MATCH "host: ([a-z0-9_-]+)" host "${told}")
+  set(host ${CMAKE_MATCH_1})
+  set(RIMLINE_SCAN_FORMATS_LIBRARY ${PROJECT_BINARY_DIR}/scan_formats/${host}/release/librimline_scan_formats.a)
+  string(JOIN " -Cllvm-args=-sanitizer-coverage-" coverage "-Cpasses=sancov-module" level=4 inline-8bit-counters
+    pc-table trace-compares)
+  set(scan_formats_build ${CMAKE_COMMAND} -E env "RUSTFLAGS=${coverage}" CARGO_PROFILE_RELEASE_LTO=off
+    ${scan_formats_build} --target ${host})
+endif()
 
 function(rimline_without_scan_formats reason)
   message(WARNING "LAS, LAZ, COPC and E57 will not be read: ${reason}")
