@@ -112,8 +112,21 @@ long long missing_euler(const MendedPart& part, std::size_t vertices) {
          static_cast<long long>(part.loops.size());
 }
 
+// A point in a triangle that is on the curve of a repair, or near it; none where there is none.
+Index beside(const EditableMesh& mesh, const Neighbours& neighbours, const HandleRepair& repair) {
+  const auto used = [&](Index v) { return !mesh.star(v).empty(); };
+  const auto on = std::ranges::find_if(repair.points, used);
+  if (on != repair.points.end()) return *on;
+  for (const Index v : repair.points) {
+    const auto near = neighbours.of(v);
+    const auto at = std::ranges::find_if(near, used);
+    if (at != near.end()) return *at;
+  }
+  return none;
+}
+
 std::vector<MendedPart> take_parts(const EditableMesh& mesh, std::vector<MatchedRim> rims,
-                                   const std::vector<Loop>& loops, const std::vector<HandleRepair>& repairs) {
+                                   const MendInput& input, const std::vector<HandleRepair>& repairs) {
   const std::vector<Index> component = mesh.components();
   const std::vector<PartRims> counts = part_rims(mesh, rims);
   std::vector<MendedPart> parts(counts.size());
@@ -121,12 +134,13 @@ std::vector<MendedPart> take_parts(const EditableMesh& mesh, std::vector<Matched
     if (mesh.has(t)) parts[component[t]].triangles.push_back(mesh.triangle(t));
   }
   for (const HandleRepair& repair : repairs) {
-    const auto at = std::ranges::find_if(repair.points, [&](Index v) { return !mesh.star(v).empty(); });
-    if (at != repair.points.end()) parts[component[mesh.star(*at).front()]].repairs.push_back(repair);
+    const Index at = beside(mesh, input.neighbours, repair);
+    if (at != none) parts[component[mesh.star(at).front()]].repairs.push_back(repair);
   }
   for (std::size_t c = 0; c < parts.size(); ++c) {
     MendedPart& part = parts[c];
-    for (const std::size_t r : counts[c].rims) part.loops.push_back(loop_of(mesh, std::move(rims[r]), loops));
+    for (const std::size_t r : counts[c].rims)
+      part.loops.push_back(loop_of(mesh, std::move(rims[r]), input.loops));
     put_outer_first(part.loops);
     part.orientable = orient_alike(part.triangles);
     const long long missing = missing_euler(part, counts[c].vertices);
@@ -134,12 +148,6 @@ std::vector<MendedPart> take_parts(const EditableMesh& mesh, std::vector<Matched
     turn_loops_along(part.triangles, part.loops);
   }
   return parts;
-}
-
-std::vector<std::vector<Index>> points_of(const std::vector<MatchedRim>& rims) {
-  std::vector<std::vector<Index>> points;
-  for (const MatchedRim& rim : rims) points.push_back(rim.points);
-  return points;
 }
 
 }  // namespace
@@ -154,10 +162,11 @@ std::vector<MendedPart> mend_surface(const MendInput& input, HandlePolicy handle
   std::vector<MatchedRim> rims = close_gaps(mesh, input.loops);
   run.check_cancel();
   std::vector<HandleRepair> repairs;
-  if (handles == HandlePolicy::Repair) repairs = repair_handles(mesh, points_of(rims));
+  if (handles == HandlePolicy::Repair) repairs = repair_handles(mesh, run);
+  if (!repairs.empty()) rims = match_rims(walk_rims(mesh), input.loops, input.points.size());
   run.check_cancel();
   insert_near(mesh, input.neighbours, input.spacing);
-  return take_parts(mesh, std::move(rims), input.loops, repairs);
+  return take_parts(mesh, std::move(rims), input, repairs);
 }
 
 }  // namespace rimline

@@ -27,4 +27,10 @@ struct CyclesAt {
 // in edges. Time linear in the component's triangles.
 CyclesAt cycles_at(const Capped& surface, Index vertex);
 
+// Ways through the surface between two of the vertices given, all on one rim, that make, closed over the
+// rim's cap, curves that bound nothing: across the bands that make handles or one-sided strips. One for each
+// of the first Betti number, the shortest first, without those that end where they begin. Otherwise as
+// cycles_at().
+std::vector<std::vector<Index>> arcs_at(const Capped& surface, const std::vector<Index>& ends);
+
 }  // namespace rimline

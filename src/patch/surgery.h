@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Triangles along a curve taken away, so that a surface becomes simpler.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mesh/editable_mesh.h"
+
+namespace rimline {
+
+// Vertices in order, each joined to the next by an edge; where it is closed the last to the first, too.
+struct Curve {
+  std::vector<Index> vertices;
+  bool is_closed = true;
+};
+
+using Rim = std::vector<Index>;
+
+// The rim of each vertex.
+struct Rims {
+  std::vector<Index> of;  // none inside
+  Index count = 0;        // numbers given so far
+
+  explicit Rims(std::size_t vertices) : of(vertices, none) {}
+  void put(const Rim& rim);
+};
+
+// Triangles that went and came.
+struct Change {
+  std::vector<Triangle> removed;
+  std::vector<Index> added;  // places
+};
+
+// The change along the curve that removes least: the triangles on one of its sides, or all at it where its
+// sides are one another's. Of the rims that are there afterwards the longest of each that was there before
+// stays, the others are closed. Each vertex has one fan afterwards. Nothing, and the mesh as it was, where
+// more than `most` triangles would go, or come at one rim, where two rims would become one, or no way leaves
+// a manifold.
+std::optional<Change> cut(EditableMesh& mesh, Rims& rims, const Curve& curve, std::size_t most);
+
+}  // namespace rimline
