@@ -32,10 +32,8 @@ struct RefineOptions {
 
 // A hole that was closed, or that should have been and could not.
 struct HoleFill {
-  std::vector<Index> rim;  // in the order of its loop
-  std::size_t triangles =
-      0;  // 0 where it touches another hole in a point, or every way to close it would have
-  // made an edge that exists already
+  std::vector<Index> rim;     // in the order of its loop
+  std::size_t triangles = 0;  // 0 where every way to close it would have made an edge that exists already
   std::size_t added_points = 0;
 };
 

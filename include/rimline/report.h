@@ -120,8 +120,7 @@ struct FilledHole {
 // What became of the holes.
 struct HoleSummary {
   std::size_t found = 0, kept = 0;  // kept ones are loops of the mesh's boundary
-  std::size_t failed =
-      0;  // of those kept: they touch another hole, or could be closed only by an edge that exists
+  std::size_t failed = 0;           // of those kept: they could be closed only by an edge that exists
   std::vector<FilledHole> filled;
 };
 

@@ -12,12 +12,10 @@ namespace {
 // The edges between points of rims, which no fill may make again.
 class RimEdges {
  public:
-  RimEdges(std::size_t points, const Triangulation& mesh, const std::vector<Loop>& loops,
-           std::span<const Index> copies)
-      : first_copy_(static_cast<Index>(points - copies.size())), copies_(copies) {
+  RimEdges(std::size_t points, const Triangulation& mesh, const std::vector<Loop>& loops) {
     std::vector<char> on_rim(points, 0);
     for (const Loop& loop : loops) {
-      for (const Index v : loop.points) on_rim[v] = on_rim[original(v)] = 1;
+      for (const Index v : loop.points) on_rim[v] = 1;
     }
     for (const Triangle& t : mesh.triangles) {
       for (int c = 0; c < 3; ++c) {
@@ -27,12 +25,8 @@ class RimEdges {
     std::sort(edges_.begin(), edges_.end());
   }
 
-  bool is_copy(Index v) const { return v >= first_copy_; }
-
-  // A copy and its original are one vertex in the end, so that only one of the two may have new edges.
   bool allows(Index a, Index b) const {
-    return !is_copy(a) && !is_copy(b) && a != b &&
-           !std::binary_search(edges_.begin(), edges_.end(), key(a, b));
+    return a != b && !std::binary_search(edges_.begin(), edges_.end(), key(a, b));
   }
 
   // The edges of a fill are forbidden to the next one.
@@ -49,11 +43,8 @@ class RimEdges {
   }
 
  private:
-  Index original(Index v) const { return v < first_copy_ ? v : copies_[v - first_copy_]; }
-  std::pair<Index, Index> key(Index a, Index b) const { return std::minmax(original(a), original(b)); }
+  static std::pair<Index, Index> key(Index a, Index b) { return std::minmax(a, b); }
 
-  Index first_copy_;
-  std::span<const Index> copies_;
   std::vector<std::pair<Index, Index>> edges_;
 };
 
@@ -66,10 +57,9 @@ bool is_filled(Points points, const Loop& rim, const HolePolicy& policy) {
 }
 
 HoleFills fill_holes(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
-                     std::span<const Index> copies, std::span<const double> spacing,
-                     const RefineOptions& options, const Run& run) {
+                     std::span<const double> spacing, const RefineOptions& options, const Run& run) {
   HoleFills result;
-  RimEdges edges(points.size(), mesh, loops, copies);
+  RimEdges edges(points.size(), mesh, loops);
   for (const Loop& loop : loops) {
     if (&loop == &loops.front() || !is_filled(points, loop, options.holes)) {
       result.loops.push_back(loop);
@@ -83,12 +73,9 @@ HoleFills fill_holes(Points points, const Triangulation& mesh, const std::vector
       corners.push_back(points[v]);
       if (options.fill_points) sizes.push_back(spacing[v]);
     }
-    // Where holes touch, their rims are one, which passes the point twice with surface between.
-    const bool touches = std::any_of(rim.begin(), rim.end(), [&](Index v) { return edges.is_copy(v); });
     const auto may_join = [&](Index a, Index b) { return edges.allows(rim[a], rim[b]); };
     // At most as many new vertices as the patch has: more would be invented surface.
-    RimFill fill;
-    if (!touches) fill = fill_rim(corners, sizes, points.size(), may_join, run);
+    RimFill fill = fill_rim(corners, sizes, points.size(), may_join, run);
     const auto corner_count = static_cast<Index>(rim.size());
     const auto first_added = static_cast<Index>(points.size() + result.added.size());
     for (Triangle& t : fill.triangles) {

@@ -21,10 +21,8 @@ struct HoleFills {
 };
 
 // Closes holes of the mesh that the loops (the outer one first) bound. The mesh itself stays as it is: a fill
-// makes no edge that the mesh has. The last of `points` are copies of points, where loops touch: `copies`.
-// `spacing` is one per point.
+// makes no edge that the mesh has. `spacing` is one per point.
 HoleFills fill_holes(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
-                     std::span<const Index> copies, std::span<const double> spacing,
-                     const RefineOptions& options, const Run& run);
+                     std::span<const double> spacing, const RefineOptions& options, const Run& run);
 
 }  // namespace rimline

@@ -29,7 +29,7 @@ class Fill {
         run_(run) {}
   Fill(const Fill&) = delete;
 
-  void flip() { flip_edges(points_, mesh_, {}, run_, may_join_); }
+  void flip() { flip_edges(points_, mesh_, run_, may_join_); }
 
   // Splits triangles at their centres where these are far from all three corners, as the local size says.
   void add_points(std::span<const double> spacing, std::size_t most) {

@@ -12,13 +12,11 @@ namespace {
 
 class Flipper {
  public:
-  Flipper(Points points, Triangulation& mesh, std::span<const Index> copies, const Run& run,
+  Flipper(Points points, Triangulation& mesh, const Run& run,
           const std::function<bool(Index, Index)>& may_join)
       : may_join_(may_join),
         points_(points),
         mesh_(mesh),
-        copies_(copies),
-        first_copy_(static_cast<Index>(points.size() - copies.size())),
         run_(run),
         queued_(mesh.triangles.size(), 0),
         settled_(mesh.triangles.size(), 0) {}
@@ -66,21 +64,18 @@ class Flipper {
     queue_.push_back(t);
   }
 
-  Index original(Index v) const { return v < first_copy_ ? v : copies_[v - first_copy_]; }
-
   bool wants_flip(Index t, int c) const {
     constexpr double tie = 1e-9;  // of the cotangents' sum: squares keep the diagonal they have
     const Index other = mesh_.adjacent[t][c];
     if (other == none) return false;
     const Triangle& v = mesh_.triangles[t];
     const Index apex = mesh_.triangles[other][mesh_.corner_across(other, t)];
-    if (!copies_.empty() && original(v[next(c)]) == original(v[previous(c)])) return true;
     const Point a = points_[v[next(c)]], b = points_[v[previous(c)]];
     return cotangent(points_[v[c]], a, b) + cotangent(points_[apex], a, b) < -tie;
   }
 
-  // Whether an edge joins corner `c` of triangle t to vertex `w` or a copy of it: walks around the corner,
-  // both ways where the boundary is met.
+  // Whether an edge joins corner `c` of triangle t to vertex `w`: walks around the corner, both ways where
+  // the boundary is met.
   bool joined(Index t, int c, Index w) const {
     const Index v = mesh_.triangles[t][c];
     for (const bool forward : {true, false}) {
@@ -88,7 +83,7 @@ class Flipper {
       while (true) {
         const int k = mesh_.corner_of(at, v);
         const Triangle& x = mesh_.triangles[at];
-        if (original(x[next(k)]) == w || original(x[previous(k)]) == w) return true;
+        if (x[next(k)] == w || x[previous(k)] == w) return true;
         at = mesh_.adjacent[at][forward ? next(k) : previous(k)];
         if (at == t) return false;
         if (at == none) break;
@@ -110,8 +105,7 @@ class Flipper {
     const Index other = mesh_.adjacent[t][c];
     const int d = mesh_.corner_across(other, t);
     const Index p = mesh_.triangles[t][c], q = mesh_.triangles[other][d];
-    if (original(p) == original(q) || joined(t, c, original(q))) return false;
-    if (!copies_.empty() && joined(other, d, original(p))) return false;
+    if (p == q || joined(t, c, q)) return false;
     if (may_join_ && !may_join_(p, q)) return false;
     const Index a = mesh_.triangles[t][next(c)], b = mesh_.triangles[t][previous(c)];
     if (folds(p, a, q, b)) return false;
@@ -140,8 +134,6 @@ class Flipper {
   const std::function<bool(Index, Index)>& may_join_;
   Points points_;
   Triangulation& mesh_;
-  std::span<const Index> copies_;
-  Index first_copy_;
   const Run& run_;
   std::vector<char> queued_;
   std::vector<char> settled_;
@@ -150,9 +142,9 @@ class Flipper {
 
 }  // namespace
 
-std::size_t flip_edges(Points points, Triangulation& mesh, std::span<const Index> copies, const Run& run,
+std::size_t flip_edges(Points points, Triangulation& mesh, const Run& run,
                        const std::function<bool(Index, Index)>& may_join) {
-  return Flipper(points, mesh, copies, run, may_join).flip_all();
+  return Flipper(points, mesh, run, may_join).flip_all();
 }
 
 }  // namespace rimline

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
 
 #include "mesh/triangulation.h"
 #include "rimline/run.h"
@@ -13,11 +12,9 @@ namespace rimline {
 
 // Flips inner edges while the two angles opposite to one sum to more than pi, unless the new edge exists
 // already, or would fold the surface: make two triangles face away from each other where those before do not.
-// Boundary edges stay. The last vertices may be copies: vertex points.size() - copies.size() + i of
-// vertex copies[i]. Edges between copies of one vertex are flipped whatever their angles and never made, and
-// edges to two copies count as one. `may_join` may be empty; else a pair of vertices that it refuses gets no
-// edge. Returns the number of flips. Deterministic.
-std::size_t flip_edges(Points points, Triangulation& mesh, std::span<const Index> copies, const Run& run,
+// Boundary edges stay. `may_join` may be empty; else a pair of vertices that it refuses gets no edge. Returns
+// the number of flips. Deterministic.
+std::size_t flip_edges(Points points, Triangulation& mesh, const Run& run,
                        const std::function<bool(Index, Index)>& may_join = {});
 
 }  // namespace rimline

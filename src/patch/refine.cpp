@@ -36,7 +36,7 @@ Triangulation first_of_stars(Points points, const Neighbours& neighbours, const 
   const Stars own = known == nullptr ? find_stars(points, neighbours, {}, {}, run) : Stars{};
   const Stars& stars = known == nullptr ? own : *known;
   Triangulation mesh = first_mesh(points, neighbours, stars, loops, uv, run);
-  flip_edges(points, mesh, {}, run);
+  flip_edges(points, mesh, run);
   constexpr std::size_t doubtful = 8;  // bad edges
   if (edge_quality(points, mesh, local_spacing(points, neighbours), run).bad >= doubtful)
     check_topology(points, stars);
@@ -61,7 +61,7 @@ Refined refine_rounds(Points points, const Neighbours& neighbours, const std::ve
   double least = std::numeric_limits<double>::infinity();
   for (int round = 0;; ++round) {
     run.progress(Stage::Refine, round, most_rounds);
-    const std::size_t flips = flip_edges(points, mesh, {}, run);
+    const std::size_t flips = flip_edges(points, mesh, run);
     const EdgeQuality quality = edge_quality(points, mesh, spacing, run);
     best.rounds.push_back({flips, quality.bad, quality.length});
     // Of two meshes over the same points the one of shorter edges is better.
@@ -93,7 +93,7 @@ struct Filled {
 Filled fill(Points points, Triangulation mesh, const std::vector<Loop>& loops,
             const std::vector<double>& spacing, const RefineOptions& options, const Run& run) {
   Filled filled{{points.begin(), points.end()}, {}, {}};
-  filled.fills = fill_holes(points, mesh, loops, {}, spacing, options, run);
+  filled.fills = fill_holes(points, mesh, loops, spacing, options, run);
   const HoleFills& fills = filled.fills;
   filled.points.insert(filled.points.end(), fills.added.begin(), fills.added.end());
   mesh.triangles.insert(mesh.triangles.end(), fills.triangles.begin(), fills.triangles.end());
@@ -184,7 +184,7 @@ Patch finish_patch(Points points, const Neighbours& neighbours, const std::vecto
   return arena.execute([&] {
     Refined refined;
     refined.mesh = triangulation_of(std::move(triangles), static_cast<Index>(points.size()));
-    const std::size_t flips = orientable ? flip_edges(points, refined.mesh, {}, run) : 0;
+    const std::size_t flips = orientable ? flip_edges(points, refined.mesh, run) : 0;
     const EdgeQuality quality = edge_quality(points, refined.mesh, local_spacing(points, neighbours), run);
     Patch patch = fill_and_map(points, neighbours, std::move(refined), loops, without_map, run);
     patch.rounds = {{flips, quality.bad, quality.length}};

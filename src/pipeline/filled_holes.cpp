@@ -80,10 +80,10 @@ MappedMesh take_out_filled(MappedMesh mesh, const std::vector<PatchReport>& patc
   mesh.label = relabel(std::move(mesh.label), taken, mesh.loops);
   mesh.holes = summarize_holes(mesh, patches);
   if (mesh.holes->failed > 0) {
-    mesh.warnings.push_back(
-        fmt::format("{} holes stay open: they touch another hole in a point, or every triangulation of their "
-                    "rims would make an edge that the mesh has already",
-                    mesh.holes->failed));
+    mesh.warnings.push_back(fmt::format(
+        "{} holes stay open: every triangulation of their rims would make an edge that the mesh has "
+        "already",
+        mesh.holes->failed));
   }
   return mesh;
 }
