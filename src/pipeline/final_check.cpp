@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "mesh/manifold.h"
+#include "pipeline/left_out.h"
 
 namespace rimline::pipeline {
 namespace {
@@ -50,8 +51,27 @@ std::string fault_of_component(const MappedMesh& mesh, Index component, const Ru
     if (mesh.triangle_patch[t] == component) own.push_back(mesh.triangles[t]);
   }
   if (own.empty()) return "";
+  const auto is_foreign = [&](Index v) { return mesh.patch[v] != component; };
+  if (std::ranges::any_of(own, [&](const Triangle& t) { return std::ranges::any_of(t, is_foreign); }))
+    return "it shares a point with another component";
   return fault_of(own, mesh.vertices.size(), loops_of(mesh, component), mesh.components[component].orientable,
                   run);
+}
+
+// The entry goes where its size puts it.
+void list(Index component, const std::string& fault, const PreparedPoints& prepared, MappedMesh& mesh) {
+  std::vector<Index> points;
+  for (Index v = 0; v < static_cast<Index>(prepared.points().size()); ++v) {
+    if (mesh.patch[v] == component) points.push_back(v);
+  }
+  if (points.empty()) return;
+  LeftOut part = points_left_out(prepared, points);
+  part.component = component;
+  part.cause = fault;
+  part.remedy = remedy_of_component;
+  const auto at = std::ranges::find_if(
+      mesh.left_out, [&](const LeftOut& other) { return other.ids.size() < part.ids.size(); });
+  mesh.left_out.insert(at, std::move(part));
 }
 
 void leave_out(Index component, const std::string& fault, MappedMesh& mesh) {
@@ -82,7 +102,7 @@ void leave_out(Index component, const std::string& fault, MappedMesh& mesh) {
 
 }  // namespace
 
-MappedMesh checked(MappedMesh mesh, const Run& run) {
+MappedMesh checked(MappedMesh mesh, const PreparedPoints& prepared, const Run& run) {
   drop_turned_maps(mesh);
   const bool orientable = std::ranges::all_of(mesh.components, &ComponentSummary::orientable);
   if (mesh.triangles.empty() ||
@@ -90,7 +110,9 @@ MappedMesh checked(MappedMesh mesh, const Run& run) {
     return mesh;
   for (std::size_t c = 0; c < mesh.components.size(); ++c) {
     const std::string fault = fault_of_component(mesh, static_cast<Index>(c), run);
-    if (!fault.empty()) leave_out(static_cast<Index>(c), fault, mesh);
+    if (fault.empty()) continue;
+    list(static_cast<Index>(c), fault, prepared, mesh);
+    leave_out(static_cast<Index>(c), fault, mesh);
   }
   return mesh;
 }

@@ -13,20 +13,6 @@
 namespace rimline::pipeline {
 namespace {
 
-LeftOut describe(const PreparedPoints& prepared, const std::vector<Index>& points) {
-  LeftOut part;
-  part.low = part.high = prepared.input[prepared.ids()[points.front()]];
-  for (const Index v : points) {
-    const Index id = prepared.ids()[v];
-    const Point p = prepared.input[id];
-    part.ids.push_back(id);
-    part.low = {std::min(part.low.x, p.x), std::min(part.low.y, p.y), std::min(part.low.z, p.z)};
-    part.high = {std::max(part.high.x, p.x), std::max(part.high.y, p.y), std::max(part.high.z, p.z)};
-  }
-  std::ranges::sort(part.ids);
-  return part;
-}
-
 // Groups of the points given, by their nearest neighbours.
 std::vector<std::vector<Index>> groups_of(const Neighbours& neighbours, const std::vector<Index>& points) {
   constexpr int near = 6;
@@ -50,6 +36,20 @@ std::vector<std::vector<Index>> groups_of(const Neighbours& neighbours, const st
 
 }  // namespace
 
+LeftOut points_left_out(const PreparedPoints& prepared, const std::vector<Index>& points) {
+  LeftOut part;
+  part.low = part.high = prepared.input[prepared.ids()[points.front()]];
+  for (const Index v : points) {
+    const Index id = prepared.ids()[v];
+    const Point p = prepared.input[id];
+    part.ids.push_back(id);
+    part.low = {std::min(part.low.x, p.x), std::min(part.low.y, p.y), std::min(part.low.z, p.z)};
+    part.high = {std::max(part.high.x, p.x), std::max(part.high.y, p.y), std::max(part.high.z, p.z)};
+  }
+  std::ranges::sort(part.ids);
+  return part;
+}
+
 std::vector<LeftOut> describe_left_out(const PreparedPoints& prepared, const Surface& surface) {
   std::vector<LeftOut> parts;
   std::vector<char> told(prepared.points().size(), 0);
@@ -57,15 +57,15 @@ std::vector<LeftOut> describe_left_out(const PreparedPoints& prepared, const Sur
     const PatchReport& patch = surface.patches[p];
     if (patch.failure.empty()) continue;
     for (const Index v : patch.ids) told[v] = 1;
-    LeftOut& part = parts.emplace_back(describe(prepared, patch.ids));
+    LeftOut& part = parts.emplace_back(points_left_out(prepared, patch.ids));
     part.component = static_cast<Index>(p);
     part.cause = patch.failure;
-    part.remedy = "crop the box out and look at the loops there; --use-loops takes corrected ones";
+    part.remedy = remedy_of_component;
   }
   std::vector<Index> loose;
   std::ranges::copy_if(surface.left_out, std::back_inserter(loose), [&](Index v) { return !told[v]; });
   for (const std::vector<Index>& group : groups_of(prepared.neighbours, loose)) {
-    LeftOut& part = parts.emplace_back(describe(prepared, group));
+    LeftOut& part = parts.emplace_back(points_left_out(prepared, group));
     part.cause = "no triangle of the surface is within reach: the points lie off it, or are a scrap";
     part.remedy = "leave the points out, or sample the place more densely";
   }

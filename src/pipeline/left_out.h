@@ -11,6 +11,13 @@
 
 namespace rimline::pipeline {
 
+// What to try where a component is left out.
+inline constexpr const char* remedy_of_component =
+    "crop the box out and look at the loops there; --use-loops takes corrected ones";
+
+// Points of the arrangement, not none, told in ids and coordinates of the input: without cause and remedy.
+LeftOut points_left_out(const PreparedPoints& prepared, const std::vector<Index>& points);
+
 // One entry for each component that could not be meshed and for each group of points in no triangle that hang
 // together by their six nearest neighbours, the largest first; in ids of the input.
 std::vector<LeftOut> describe_left_out(const PreparedPoints& prepared, const Surface& surface);

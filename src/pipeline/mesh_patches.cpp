@@ -132,7 +132,7 @@ MappedMesh mesh_patches(const PreparedPoints& prepared, const FoundLoops& found,
   mesh.left_out = describe_left_out(prepared, surface);
   mesh = with_summaries(std::move(mesh), prepared, surface.patches, refine.domain);
   mesh = orient_patches(std::move(mesh), arranged_normals(given, prepared), options.mesh.up, refine.domain);
-  return checked(take_out_filled(std::move(mesh), surface.patches), run);
+  return checked(take_out_filled(std::move(mesh), surface.patches), prepared, run);
 }
 
 }  // namespace rimline::pipeline
