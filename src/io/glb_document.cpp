@@ -74,9 +74,17 @@ std::size_t width_of(const std::string& type) {
 
 }  // namespace
 
+const char* GlbAccessor::place(std::size_t item) const {
+  const auto found = std::lower_bound(replaced.begin(), replaced.end(), item);
+  if (found == replaced.end() || *found != item) return first == nullptr ? nullptr : first + item * stride;
+  return replacements + static_cast<std::size_t>(found - replaced.begin()) * width * size_in_bytes(type);
+}
+
 double GlbAccessor::value(std::size_t item, std::size_t number) const {
   const std::size_t size = size_in_bytes(type);
-  const Field field{"", type, first + item * stride + number * size, stride};
+  const char* at = place(item);
+  if (at == nullptr) return 0;
+  const Field field{"", type, at + number * size, size};
   double result = 0;
   values_of_field(field, 1, std::endian::native == std::endian::big, &result, 1);
   if (!normalized || type == FieldType::Float32) return result;
@@ -130,38 +138,76 @@ const Json& GlbDocument::entry(const char* list, const Json& number) const {
   return (*found)[number.get<std::size_t>()];
 }
 
-GlbAccessor GlbDocument::accessor(const Json& number) const {
-  const Json& json = entry("accessors", number);
-  if (json.contains("sparse") || !json.contains("bufferView")) fail("has sparse data, which are not read");
-  GlbAccessor result;
-  switch (whole(json, "componentType", 0)) {
-    case 5120: result.type = FieldType::Int8; break;
-    case 5121: result.type = FieldType::UInt8; break;
-    case 5122: result.type = FieldType::Int16; break;
-    case 5123: result.type = FieldType::UInt16; break;
-    case 5125: result.type = FieldType::UInt32; break;
-    case 5126: result.type = FieldType::Float32; break;
+FieldType GlbDocument::type_of(const Json& part) const {
+  switch (whole(part, "componentType", 0)) {
+    case 5120: return FieldType::Int8;
+    case 5121: return FieldType::UInt8;
+    case 5122: return FieldType::Int16;
+    case 5123: return FieldType::UInt16;
+    case 5125: return FieldType::UInt32;
+    case 5126: return FieldType::Float32;
     default: fail("has data of a type that glTF does not know");
   }
+}
+
+// Where `count` items of so many bytes begin; sets the step between them. `part` names a view and an offset
+// in it.
+const char* GlbDocument::data_of(const Json& part, std::size_t item, std::size_t count,
+                                 std::size_t& stride) const {
+  const Json& view = entry("bufferViews", part.value("bufferView", Json()));
+  if (whole(view, "buffer", 1) != 0 || entry("buffers", 0u).contains("uri"))
+    fail("keeps its data in another file");
+  const std::size_t begin = whole(view, "byteOffset", 0), size = whole(view, "byteLength", 0);
+  const std::size_t offset = whole(part, "byteOffset", 0);
+  stride = whole(view, "byteStride", item);
+  const std::size_t used = count == 0 ? 0 : (count - 1) * stride + item;
+  if (begin > buffer_.size() || size > buffer_.size() - begin || offset > size || used > size - offset ||
+      stride < item) {
+    fail("has data that lie outside of its buffer");
+  }
+  return buffer_.data() + begin + offset;
+}
+
+void GlbDocument::read_sparse(const Json& sparse, GlbAccessor& accessor) const {
+  const Json none = Json::object();
+  const auto part = [&](const char* key) -> const Json& {
+    const auto found = sparse.is_object() ? sparse.find(key) : sparse.end();
+    return found != sparse.end() && found->is_object() ? *found : none;
+  };
+  const std::size_t count = sparse.is_object() ? whole(sparse, "count", 0) : 0;
+  GlbAccessor ids{.type = type_of(part("indices")), .count = count};
+  ids.first = data_of(part("indices"), size_in_bytes(ids.type), count, ids.stride);
+  std::size_t stride = 0;
+  accessor.replacements =
+      data_of(part("values"), accessor.width * size_in_bytes(accessor.type), count, stride);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double id = ids.value(i, 0);
+    const bool ascends = accessor.replaced.empty() || id > accessor.replaced.back();
+    if (!ascends || !(id >= 0 && id < static_cast<double>(accessor.count)))
+      fail("has sparse data for an item that is not there, or not in order");
+    accessor.replaced.push_back(static_cast<std::uint32_t>(id));
+  }
+}
+
+GlbAccessor GlbDocument::accessor(const Json& number) const {
+  const Json& json = entry("accessors", number);
+  GlbAccessor result;
+  result.type = type_of(json);
   const auto type = json.find("type");
   result.width = type != json.end() && type->is_string() ? width_of(type->get<std::string>()) : 0;
   if (result.width == 0) fail("has data of a shape that is not read");
   const auto normalized = json.find("normalized");
   result.normalized = normalized != json.end() && *normalized == true;
-  const Json& view = entry("bufferViews", json["bufferView"]);
-  if (whole(view, "buffer", 1) != 0 || entry("buffers", 0u).contains("uri"))
-    fail("keeps its data in another file");
-  const std::size_t item = result.width * size_in_bytes(result.type);
-  const std::size_t begin = whole(view, "byteOffset", 0), size = whole(view, "byteLength", 0);
-  const std::size_t offset = whole(json, "byteOffset", 0);
   result.count = whole(json, "count", 0);
-  result.stride = whole(view, "byteStride", item);
-  const std::size_t used = result.count == 0 ? 0 : (result.count - 1) * result.stride + item;
-  if (begin > buffer_.size() || size > buffer_.size() - begin || offset > size || used > size - offset ||
-      result.stride < item) {
-    fail("has data that lie outside of its buffer");
+  const auto sparse = json.find("sparse");
+  if (json.contains("bufferView")) {
+    result.first = data_of(json, result.width * size_in_bytes(result.type), result.count, result.stride);
+  } else if (sparse == json.end()) {
+    fail("has data without a place in the file");
+  } else if (result.count > 64 * source_.bytes().size()) {  // zeros that the file has not
+    fail("announces more data than a file of its size has");
   }
-  result.first = buffer_.data() + begin + offset;
+  if (sparse != json.end()) read_sparse(*sparse, result);
   return result;
 }
 

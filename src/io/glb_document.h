@@ -20,9 +20,14 @@ struct GlbAccessor {
   FieldType type = FieldType::Float32;
   std::size_t count = 0, width = 1, stride = 0;
   bool normalized = false;
-  const char* first = nullptr;
+  const char* first = nullptr;  // none where all items are zero but those that are replaced
+  // Sparse data: the items that have other values, ascending, and where these begin.
+  std::vector<std::uint32_t> replaced = {};
+  const char* replacements = nullptr;
 
   double value(std::size_t item, std::size_t number) const;
+  // Where an item stands; none where it is zero.
+  const char* place(std::size_t item) const;
 };
 
 class GlbDocument {
@@ -43,6 +48,10 @@ class GlbDocument {
   void visit_node(std::size_t node, const GlbMatrix& above, int depth, const Visit& visit,
                   std::size_t& nodes_left) const;
   void visit_mesh(std::size_t mesh, const GlbMatrix& place, const Visit& visit) const;
+  FieldType type_of(const nlohmann::json& part) const;
+  const char* data_of(const nlohmann::json& part, std::size_t item, std::size_t count,
+                      std::size_t& stride) const;
+  void read_sparse(const nlohmann::json& sparse, GlbAccessor& accessor) const;
   const nlohmann::json& entry(const char* list, const nlohmann::json& number) const;
   std::size_t whole(const nlohmann::json& object, const char* key, std::size_t otherwise) const;
 

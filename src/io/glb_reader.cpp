@@ -137,8 +137,8 @@ void read_glb_faces(const Source& source, const Cloud&, Faces& faces) {
       for (std::size_t i = 0; i < ids.count; ++i) {
         const double id = ids.value(i, 0);
         const bool known = id >= 0 && id < static_cast<double>(count);
-        faces.corner(known ? first + static_cast<long long>(id) : -1, ids.first + i * ids.stride,
-                     Faces::Place::Byte);
+        const char* at = ids.place(i) == nullptr ? source.begin() : ids.place(i);
+        faces.corner(known ? first + static_cast<long long>(id) : -1, at, Faces::Place::Byte);
         if (i % 3 == 2) faces.close();
       }
     } else if (triangles) {

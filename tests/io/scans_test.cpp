@@ -137,6 +137,35 @@ TEST_CASE("nodes of a glTF binary place what they hold, one in the other, as oft
   CHECK(cloud.points[1] == Point{1, 0, 3});
 }
 
+TEST_CASE("sparse data of a glTF binary replace items, of others or of zeros, or are refused") {
+  const std::string start = R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 52}],
+      "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
+      "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 4},
+      {"buffer": 0, "byteOffset": 40, "byteLength": 12}], "accessors": [{)";
+  const std::string end = R"("componentType": 5126, "count": 3, "type": "VEC3", "sparse": {"count": 1,
+      "indices": {"bufferView": 1, "componentType": 5123}, "values": {"bufferView": 2}}}]})";
+  const auto with_id = [](std::uint16_t id) {
+    return bytes_of_all<float>({1, 2, 3, 4, 5, 6, 7, 8, 9}) + bytes_of_all<std::uint16_t>({id, 0}) +
+           bytes_of_all<float>({-1, -2, -3});
+  };
+  CHECK(read_bytes("a.glb", glb(start + "\"bufferView\": 0, " + end, with_id(1))).points ==
+        std::vector<Point>{{1, 2, 3}, {-1, -2, -3}, {7, 8, 9}});
+  CHECK(read_bytes("a.glb", glb(start + end, with_id(2))).points ==
+        std::vector<Point>{{0, 0, 0}, {0, 0, 0}, {-1, -2, -3}});
+  CHECK(contains(complaint("a.glb", glb(start + end, with_id(3))),
+                 "sparse data for an item that is not there"));
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string json = start + end;
+    json.replace(json.find(from), from.size(), to);
+    return complaint("a.glb", glb(json, with_id(1)));
+  };
+  CHECK(contains(changed("\"count\": 3", "\"count\": 4294967295"), "more data than a file of its size"));
+  CHECK(contains(changed("{\"count\": 1", "{\"count\": 2"), "outside of its buffer"));
+  CHECK(
+      contains(changed("\"values\": {\"bufferView\": 2}", "\"values\": 7"), "bufferViews that is not there"));
+  CHECK(contains(changed("\"indices\"", "\"indexes\""), "type that glTF does not know"));
+}
+
 TEST_CASE("a glTF binary that is wrong is refused") {
   const std::string good = "{" + views + "}", place = bytes_of_all<float>({1, 2, 3});
   CHECK(read_bytes("a.glb", glb(good, place)).points == std::vector<Point>{{1, 2, 3}});
@@ -152,7 +181,7 @@ TEST_CASE("a glTF binary that is wrong is refused") {
   CHECK(
       contains(changed("\"byteLength\": 12}], \"buffers\"", "\"byteLength\": 99}], \"buffers\""), "outside"));
   CHECK(contains(changed("5126", "5127"), "type that glTF does not know"));
-  CHECK(contains(changed("\"bufferView\": 0, ", ""), "sparse"));
+  CHECK(contains(changed("\"bufferView\": 0, ", ""), "without a place in the file"));
   CHECK(contains(changed("{\"byteLength\"", "{\"uri\": \"a.bin\", \"byteLength\""), "another file"));
   CHECK(contains(changed("\"asset\"", "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"], \"asset\""),
                  "draco"));
