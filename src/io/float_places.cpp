@@ -57,7 +57,7 @@ Point offset_for_floats(const MeshToWrite& mesh) {
   return {round(box.low.x, box.high.x), round(box.low.y, box.high.y), round(box.low.z, box.high.z)};
 }
 
-void check_floats(const MeshToWrite& mesh, Point offset, const std::string& format) {
+void check_floats(const MeshToWrite& mesh, Point offset, const std::string& what) {
   const auto& points = mesh.cloud.points;
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -65,7 +65,7 @@ void check_floats(const MeshToWrite& mesh, Point offset, const std::string& form
       const bool held = floats_hold(a - offset) && floats_hold(b - offset);
       if (held && (a == b || as_floats(a - offset) != as_floats(b - offset))) continue;
       throw Error(ErrorCode::CannotWrite,
-                  format +
+                  what +
                       " has 32 bits a coordinate, which can not tell apart two corners of a triangle or hold "
                       "them; write PLY or OBJ instead",
                   {t[c], t[(c + 1) % 3]});

@@ -28,7 +28,7 @@ Point as_floats(Point p);
 Point offset_for_floats(const MeshToWrite& mesh);
 
 // Throws CannotWrite where two corners of a triangle that differ become one when `offset` is taken off and
-// what is left made floats; `format` is named in the message.
-void check_floats(const MeshToWrite& mesh, Point offset, const std::string& format);
+// what is left made floats; `what` is named in the message.
+void check_floats(const MeshToWrite& mesh, Point offset, const std::string& what);
 
 }  // namespace rimline::io

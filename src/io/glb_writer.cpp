@@ -156,12 +156,13 @@ Point write_glb(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   const auto& [cloud, triangles, ignored] = mesh;
   const Attributes attributes = attributes_of(cloud, triangles, box_of_corners(mesh));
   Document document;
-  check_floats(mesh, attributes.middle, "glTF binary");
+  check_floats(mesh, attributes.middle, file.name() + ": glTF binary");
   const Json primitive = describe(document, attributes, triangles);
   const std::string json = document.text(primitive, attributes.middle);
   const std::size_t total = 12 + 8 + json.size() + 8 + document.size();
   if (total > std::numeric_limits<std::uint32_t>::max()) {
-    throw Error(ErrorCode::CannotWrite, "a glTF binary can not hold 4 GB or more; write PLY instead");
+    throw Error(ErrorCode::CannotWrite,
+                file.name() + ": a glTF binary can not hold 4 GB or more; write PLY instead");
   }
   constexpr std::uint32_t version = 2, json_chunk = 0x4e4f534a, buffer_chunk = 0x004e4942;
   file.write("glTF");

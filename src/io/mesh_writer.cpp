@@ -161,7 +161,7 @@ std::string stl_header(Point offset) {
 Point write_stl(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   const auto& [cloud, triangles, ignored] = mesh;
   const Point offset = offset_for_floats(mesh);
-  check_floats(mesh, offset, "STL");
+  check_floats(mesh, offset, file.name() + ": STL");
   file.write(stl_header(offset));
   file.little(static_cast<std::uint32_t>(triangles.size()));
   for_each_written(triangles.size(), run, [&](std::size_t t) {

@@ -42,6 +42,19 @@ std::string link_target(const std::string& path) {
   return target.front() == '/' ? target : directory_of(path) + "/" + target;
 }
 
+// What to do where the system refuses an output for that reason.
+const char* remedy_of(int reason) {
+  switch (reason) {
+    case ENOSPC:
+    case EDQUOT: return "free some space or write elsewhere";
+    case EFBIG: return "raise the limit on the size of files (ulimit -f) or write elsewhere";
+    case EPIPE: return "what reads it has ended";
+    case EISDIR: return "name a file in it";
+    case ENAMETOOLONG: return "give it a shorter name";
+    default: return "check the path and its permissions, or write elsewhere";
+  }
+}
+
 // The descriptor, with another number where it has that of a standard stream that was closed: what is printed
 // must not reach an output.
 int above_standard(int descriptor) {
@@ -157,12 +170,12 @@ void SafeFile::forget_temporary() {
   slot_ = -1;
 }
 
+std::string SafeFile::name() const { return path_ == "-" ? "standard output" : path_; }
+
 void SafeFile::fail(const std::string& action) const {
   const int reason = errno;
-  const std::string name = path_ == "-" ? "standard output" : path_;
-  std::string message = name + ": " + action + ": " + std::strerror(reason);
-  if (reason == ENOSPC || reason == EDQUOT) message += "; free some space or write elsewhere";
-  throw Error(ErrorCode::CannotWrite, message);
+  throw Error(ErrorCode::CannotWrite,
+              name() + ": " + action + ": " + std::strerror(reason) + "; " + remedy_of(reason));
 }
 
 void SafeFile::write_through(const char* from, std::size_t size) {
@@ -233,7 +246,8 @@ std::string follow_links(const std::string& path) {
     if (next.empty()) return end;
     end = std::move(next);
   }
-  throw Error(ErrorCode::CannotWrite, path + ": cannot be written: " + std::strerror(ELOOP));
+  throw Error(ErrorCode::CannotWrite,
+              path + ": cannot be written: " + std::strerror(ELOOP) + "; name the file that is meant");
 }
 
 void remove_unfinished_files() noexcept {

@@ -34,6 +34,9 @@ class SafeFile {
 
   void commit();
 
+  // As messages name it.
+  std::string name() const;
+
  private:
   void open_temporary(unsigned mode);
   void flush();

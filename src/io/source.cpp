@@ -42,7 +42,8 @@ int open_for_reading(const std::string& path) {
   if (descriptor >= 0) return descriptor;
   if (errno == ENOENT) cannot_read(path, "there is no such file; check the path");
   if (errno == EACCES) cannot_read(path, "permission denied; make the file readable");
-  cannot_read(path, std::string("cannot be opened: ") + std::strerror(errno));
+  cannot_read(path, std::string("cannot be opened: ") + std::strerror(errno) +
+                        "; check the path and its permissions");
 }
 
 // A pipe may stay silent for long; waiting in slices lets a cancel through.
@@ -62,7 +63,8 @@ std::size_t read_up_to(int descriptor, char* to, std::size_t room, const std::st
     if (got > 0) have += static_cast<std::size_t>(got);
     if (got < 0 && errno == EISDIR) cannot_read(name, "is a directory; name a file in it");
     if (got < 0 && errno != EINTR && errno != EAGAIN) {
-      cannot_read(name, "reading stopped at byte " + std::to_string(have) + ": " + std::strerror(errno));
+      cannot_read(name, "reading stopped at byte " + std::to_string(have) + ": " + std::strerror(errno) +
+                            "; copy the file to another place and read it there");
     }
   }
   return have;

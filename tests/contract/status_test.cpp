@@ -211,7 +211,21 @@ TEST_CASE("status 4: a full disk leaves no partial file") {
   CAPTURE(refused.err);
   CHECK(refused.status == 4);
   CHECK(contains(refused.err, folder / "points.ply"));
+  CHECK(contains(refused.err, "; raise the limit on the size of files"));
   CHECK(folder.names() == Names{"sample.ply"});
+}
+
+TEST_CASE("links that lead to themselves are named, with what to do") {
+  const Folder folder;
+  const std::string input = sample(folder, "flat-disc", "300"), link = folder / "link.ply";
+  std::filesystem::create_symlink("link.ply", link);
+  const Finished written = rimline::test::rimline({"reconstruct", input, "-o", link, "--quiet"});
+  CHECK(written.status == 4);
+  CHECK(
+      contains(written.err, "link.ply: cannot be written: Too many levels of symbolic links; name the file"));
+  const Finished read = rimline::test::rimline({"info", link});
+  CHECK(read.status == 2);
+  CHECK(contains(read.err, "link.ply: cannot be opened: Too many levels of symbolic links; check the path"));
 }
 
 TEST_CASE("status 4: standard output that takes nothing") {

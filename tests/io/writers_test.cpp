@@ -145,6 +145,7 @@ TEST_CASE("corners that 32 bits can not part are refused, and no file is left") 
     } catch (const Error& error) {
       CHECK(error.code() == ErrorCode::CannotWrite);
       CHECK(error.ids() == std::vector<Index>{1, 2});
+      CHECK(contains(error.what(), directory.file(name) + ": "));
       CHECK(contains(error.what(), "32 bits"));
     }
     CHECK_THROWS_AS(write_mesh(directory.file(name), cloud, {{0, 3, 4}}, {}), Error);  // 1e200 is no float
