@@ -39,6 +39,7 @@ std::string range_of(const Field<T>& field) {
   } else if constexpr (std::same_as<T, bool>) {
     return "on or off.";
   } else if constexpr (std::is_arithmetic_v<T>) {
+    if (field.zero[0] != 0) return fmt::format("{}, or from 1 to {}.", field.zero, field.most);
     return fmt::format("From {} to {}.", field.least, field.most);
   } else {
     return "";
@@ -55,7 +56,9 @@ std::string default_text(const Field<T>& field) {
     if (!counts(field.used_by, options)) continue;
     std::string value;
     visit_fields(options, [&](const auto& candidate) {
-      if (std::string_view(candidate.name) == field.name) value = text_of(candidate.value);
+      if (std::string_view(candidate.name) != field.name) return;
+      const bool is_word = candidate.zero[0] != 0 && text_of(candidate.value) == "0";
+      value = is_word ? candidate.zero : text_of(candidate.value);
     });
     if (text.empty()) text = "Default " + (standard = value);
     if (value != standard) text += fmt::format("; {}: {}", preset_name, value);
@@ -101,7 +104,11 @@ void add_fields(CLI::App& command, MethodArguments& arguments) {
           ->group(group_of(options, &field.value));
       return;
     }
-    const std::string value = std::is_enum_v<T> ? "NAME" : std::is_integral_v<T> ? "N" : "X";
+    const bool has_word = field.zero[0] != 0;
+    const std::string value = has_word                ? fmt::format("{}|N", field.zero)
+                              : std::is_enum_v<T>     ? "NAME"
+                              : std::is_integral_v<T> ? "N"
+                                                      : "X";
     const std::string description =
         fmt::format("{}. {} {}", field.help, range_of(field), where_and_default(field));
     // Parsed here only to refuse a bad value at once; options() parses it again, over the chosen preset.

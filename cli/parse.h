@@ -66,7 +66,8 @@ void parse_field(const Field<T>& field, const std::string& text) {
   } else if constexpr (std::same_as<T, bool>) {
     field.value = parse_switch(flag, text);
   } else if constexpr (std::integral<T>) {
-    field.value = static_cast<T>(parse_whole(flag, text, field.least, field.most));
+    const bool is_word = field.zero[0] != 0 && text == field.zero;
+    field.value = is_word ? T{} : static_cast<T>(parse_whole(flag, text, field.least, field.most));
   } else if constexpr (std::floating_point<T>) {
     field.value = parse_number(flag, text, field.least, field.most);
   } else {

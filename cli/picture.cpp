@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "canvas.h"
+#include "drawn_map.h"
 #include "raster.h"
 #include "rimline/arrange.h"
 #include "rimline/io.h"
@@ -212,6 +213,19 @@ void panel_boundary(cairo_t* cairo, const Stage3d& stage, const Raster& screen, 
   draw_loops(cairo, stage, screen);
 }
 
+// Edges as lines, such as outlines of charts.
+void draw_sides(cairo_t* cairo, const std::vector<std::pair<Index, Index>>& sides,
+                const std::vector<Point>& at, Colour colour, double width) {
+  for (const auto& [from, to] : sides) {
+    cairo_move_to(cairo, at[from].x, at[from].y);
+    cairo_line_to(cairo, at[to].x, at[to].y);
+  }
+  set_colour(cairo, colour);
+  cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_width(cairo, width);
+  cairo_stroke(cairo);
+}
+
 std::vector<Point> places_in_uv(std::span<const UV> uv) {
   std::vector<Point> places;
   places.reserve(uv.size());
@@ -239,11 +253,14 @@ void draw_uv_loops(cairo_t* cairo, const std::vector<Loop>& loops, const std::ve
 // The surface as the map lays it out: each triangle with the light that falls on it in space.
 void panel_map(cairo_t* cairo, const Stage3d& stage, const Run& run) {
   const Scene& scene = stage.scene;
-  const auto at = places_in_uv(scene.uv);
+  const DrawnMap map = drawn_map(scene);
+  const auto at = places_in_uv(map.uv);
   Raster raster(fine * panel, fine * panel);
   run.check_cancel();
-  for (const Triangle& t : scene.triangles) {
-    raster.triangle(finer(at[t[0]]), finer(at[t[1]]), finer(at[t[2]]), shade_all_round(stage, t));
+  for (std::size_t i = 0; i < map.corners.size(); ++i) {
+    const Triangle& t = map.corners[i];
+    raster.triangle(finer(at[t[0]]), finer(at[t[1]]), finer(at[t[2]]),
+                    shade_all_round(stage, map.triangles[i]));
   }
   if (scene.triangles.empty()) {
     for (const Point p : at) {
@@ -251,8 +268,11 @@ void panel_map(cairo_t* cairo, const Stage3d& stage, const Run& run) {
     }
   }
   paint(cairo, raster);
-  draw_edges(cairo, scene.triangles, at, [](Index, Index) { return true; });
-  draw_uv_loops(cairo, scene.boundary.loops, at);
+  draw_edges(cairo, map.corners, at, [](Index, Index) { return true; });
+  if (scene.seams.empty() && map.left_out == 0) return draw_uv_loops(cairo, scene.boundary.loops, at);
+  const Outline outline = outline_of(map);
+  draw_sides(cairo, outline.seams, at, ink, 1.2);
+  draw_sides(cairo, outline.boundary, at, outer_colour, 2.4);
 }
 
 void panel_mesh(cairo_t* cairo, const Stage3d& stage, const Run& run) {
@@ -281,8 +301,7 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
                                 [&](cairo_t* cairo) { panel_points(cairo, stage, screen, run); }}};
   const auto& probability = scene.boundary.boundary_probability;
   if (probability.empty()) {
-    panels.push_back({"candidates", plural(report.candidates, "candidate"),
-                      [&](cairo_t* cairo) {
+    panels.push_back({"candidates", plural(report.candidates, "candidate"), [&](cairo_t* cairo) {
                         panel_marked(cairo, stage, screen, scene.boundary.candidate, candidate_colour, run);
                       }});
   } else {
@@ -292,8 +311,7 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
                       [&](cairo_t* cairo) { panel_probability(cairo, stage, screen, run); }});
   }
   if (!scene.boundary.chromosome.empty()) {
-    panels.push_back({"chromosome", plural(report.search.winner_points, "point"),
-                      [&](cairo_t* cairo) {
+    panels.push_back({"chromosome", plural(report.search.winner_points, "point"), [&](cairo_t* cairo) {
                         panel_marked(cairo, stage, screen, scene.boundary.chromosome, outer_colour, run);
                       }});
   }
@@ -304,7 +322,13 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
                     [&](cairo_t* cairo) { panel_boundary(cairo, stage, screen, run); }});
   if (!scene.uv.empty()) {
     const bool mapped = std::ranges::any_of(scene.uv, [](UV p) { return std::isfinite(p.u); });
-    panels.push_back({"map", mapped ? fmt::format("residual {:.0e}", report.map.residual) : "none",
+    const bool drawn = mapped || !scene.seams.empty();
+    const std::string charts = tell_charts(drawn_map(scene));
+    const std::string residual = fmt::format("residual {:.0e}", report.map.residual);
+    panels.push_back({"map",
+                      !drawn           ? "none"
+                      : charts.empty() ? residual
+                                       : charts,
                       [&](cairo_t* cairo) { panel_map(cairo, stage, run); }});
   }
   if (!scene.triangles.empty()) {

@@ -14,11 +14,15 @@
 
 namespace rimline::cli {
 
+inline const Seams no_seams;
+
 struct Scene {
   Points points;
   const BoundaryResult& boundary;
   std::span<const UV> uv = {};               // empty: no panel for the map
   std::span<const Triangle> triangles = {};  // empty: no panel for the mesh
+  const Seams& seams = no_seams;             // of the map
+  std::span<const Index> chart = {};         // of each triangle, or empty
   std::optional<Point> up = {};
   int panel_size = 620;                  // width and height of each panel's drawing, in pixels
   std::vector<std::string> panels = {};  // their titles, in order; empty for all that there are

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "columns.h"
@@ -29,6 +30,8 @@ std::vector<Column> put_mesh_columns(const MethodArguments& arguments, const Rec
     for (Column& column : distortion_columns(result.distortion.triangle))
       of_faces.push_back(std::move(column));
   }
+  if (std::ranges::any_of(result.chart, [](Index c) { return c > 0; }))
+    of_faces.push_back(make_column("chart", result.chart));
   return of_faces;
 }
 
@@ -76,7 +79,7 @@ void run_reconstruct(const MethodArguments& arguments) {
   if (!result.patch.empty()) set_column(in.cloud, make_column("component", result.patch));
   const std::vector<Column> face_columns = put_mesh_columns(arguments, result, in.cloud);
   const WrittenMesh written =
-      write_mesh(arguments.output, in.cloud, result.triangles, session.run(), face_columns);
+      write_mesh(arguments.output, in.cloud, result.triangles, session.run(), face_columns, {result.seams});
   Report report = told(in, result.boundary.report);
   report.offset = written.offset;
   report.warnings.insert(report.warnings.end(), written.notices.begin(), written.notices.end());
@@ -85,6 +88,8 @@ void run_reconstruct(const MethodArguments& arguments) {
           .boundary = result.boundary,
           .uv = result.uv,
           .triangles = result.triangles,
+          .seams = result.seams,
+          .chart = result.chart,
           .up = arguments.up,
           .panel_size = arguments.picture_size,
           .panels = arguments.panels},

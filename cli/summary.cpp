@@ -71,6 +71,12 @@ std::string map_line(const Report& report) {
   if (!report.components.empty() && mapped == 0) return line("map", "none");
   std::string text =
       fmt::format("{} unknowns, residual {:.1e}", with_commas(report.map.unknowns), report.map.residual);
+  std::size_t charts = 0;
+  double seams = 0;
+  for (const ComponentSummary& component : report.components)
+    charts += component.charts, seams += component.seams;
+  if (charts > 1) text += fmt::format(", {} charts", with_commas(charts));
+  if (seams > 0) text += fmt::format(", seams {:.4g} long", seams);
   if (mapped < report.components.size())
     text += fmt::format(", of {} of {} components", mapped, report.components.size());
   return line("map", text);

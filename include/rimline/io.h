@@ -9,6 +9,7 @@
 #include "rimline/cloud.h"
 #include "rimline/mesh.h"
 #include "rimline/run.h"
+#include "rimline/seams.h"
 
 namespace rimline {
 
@@ -50,6 +51,13 @@ MeshFile read_mesh(const std::string& path, const Run& run);
 // Throws CannotWrite.
 void write_cloud(const std::string& path, const Cloud& cloud, const Run& run);
 
+// What a mesh wears beside the columns of its points.
+struct Dress {
+  Seams seams;
+  std::string picture = {};  // a texture, as the bytes of a PNG; empty for none. Its first row is at v = 1.
+                             // In OBJ (with a .mtl and a .png beside it) and glTF binary alone.
+};
+
 // How a mesh had to be changed for its format.
 struct WrittenMesh {
   Point offset;                           // was taken off all coordinates: zero, but for STL
@@ -58,9 +66,10 @@ struct WrittenMesh {
 
 // Writes points and triangles (ids within the cloud) in the format of the ending, one of
 // written_endings(FormatUse::WriteMesh); "-" is PLY. The ending is checked by check_mesh_path before any
-// work. Throws CannotWrite. `face_columns`, one value per triangle, are kept in PLY alone.
+// work. Throws CannotWrite. `face_columns`, one value per triangle, are kept in PLY alone. The columns `u`
+// and `v` of the cloud are its map; where it has seams, the corners' places are written too.
 WrittenMesh write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
-                       const Run& run, const std::vector<Column>& face_columns = {});
+                       const Run& run, const std::vector<Column>& face_columns = {}, const Dress& dress = {});
 
 // Throws BadOption where write_mesh does not know the ending; the message lists those it knows.
 void check_mesh_path(const std::string& path);

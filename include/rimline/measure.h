@@ -12,12 +12,15 @@
 #include "rimline/mesh.h"
 #include "rimline/report.h"
 #include "rimline/run.h"
+#include "rimline/seams.h"
 
 namespace rimline {
 
-// `spacing` as of local_spacing(), one per point; `uv` one per point or empty. Throws Cancelled.
+// `spacing` as of local_spacing(), one per point; `uv` one per point or empty, with those of `seams`. Throws
+// Cancelled.
 MeshSummary measure_mesh(Points points, const std::vector<Triangle>& triangles,
-                         std::span<const double> spacing, std::span<const UV> uv, const Run& run = {});
+                         std::span<const double> spacing, std::span<const UV> uv, const Run& run = {},
+                         const Seams& seams = {});
 
 // How much the map distorts each triangle and each point.
 struct Distortion {
@@ -36,9 +39,10 @@ struct Distortion {
 };
 
 // `component` has one entry per triangle, from 0 to `component_count` - 1, or is empty for one component;
-// each is scaled by itself. `uv` has one entry per point.
+// each is scaled by itself. `uv` has one entry per point; those of `seams` come on top.
 Distortion measure_distortion(Points points, const std::vector<Triangle>& triangles, std::span<const UV> uv,
-                              std::span<const Index> component, std::size_t component_count, const Run& run);
+                              std::span<const Index> component, std::size_t component_count, const Run& run,
+                              const Seams& seams = {});
 
 // Pairs of triangles that meet in more than the vertex or edge they share, with exact predicates, as
 // positions in `triangles`, ascending. Triangles of no area take no part. About 0.5 microseconds a triangle.

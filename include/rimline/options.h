@@ -84,6 +84,16 @@ enum class Domain {
 // "disc", "square", "rectangle", "free", "none".
 const char* name(Domain domain);
 
+// How large the map is. [ours]
+enum class UvScale {
+  Domain,  // as the domain has it: of size 1, and at the scale of the surface for the domain Free
+  Unit,    // all charts together in the square from 0 to 1
+  Real,    // each component has the area that its surface has
+};
+
+// "domain", "unit", "real".
+const char* name(UvScale scale);
+
 // Section 5: from the loop to the plane.
 struct ParameterizeOptions {
   Domain domain = Domain::Disc;  // the paper's presets know the disc alone
@@ -92,6 +102,9 @@ struct ParameterizeOptions {
   std::array<Index, 4> corners{none, none, none, none};
   int map_k = 20;           // neighbours per interior point in eq. (4)  [ours; the paper gives none]
   double residual = 1e-10;  // of the linear system, relative to its right-hand side
+  int charts = 0;  // of each component: 1 cuts only what is no disc with holes; 0 takes as many as keep
+                   // the stretch of free maps low; more cuts into at least so many [ours]
+  UvScale uv_scale = UvScale::Domain;
 };
 
 // Which holes are closed by triangles; the others are loops of the mesh's boundary. [ours]
@@ -170,6 +183,7 @@ struct Field {
   std::remove_const_t<T> least, most;  // the range, both ends included (equal where T is not a number)
   const char* help;                    // one line: what it is, its unit, its source
   UsedBy used_by;                      // where it counts
+  const char* zero = "";  // the word for 0, where there is one: 0 leaves the choice to the method
 };
 
 // Calls visit(Field<T>) for each field but `up`, `holes` and `corners`, T being int, std::int64_t, double,
@@ -180,9 +194,9 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
   constexpr double tiny = 1e-300;
   constexpr std::int64_t huge = std::int64_t{1} << 62;
   const auto field = [&visit]<class T>(const char* id, T& value, auto least, auto most, const char* help,
-                                       UsedBy used_by = UsedBy::All) {
+                                       UsedBy used_by = UsedBy::All, const char* zero = "") {
     using Value = std::remove_const_t<T>;
-    visit(Field<T>{id, value, static_cast<Value>(least), static_cast<Value>(most), help, used_by});
+    visit(Field<T>{id, value, static_cast<Value>(least), static_cast<Value>(most), help, used_by, zero});
   };
   field("k", o.boundary.k, 3, 1000, "neighbours in the chi-square test (section 4)");
   field("sectors", o.boundary.sectors, 2, 360, "r of eq. (1), equal slices of the circle (section 4)");
@@ -221,6 +235,16 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
         UsedBy::Default);
   field("map_k", o.map.map_k, 3, 1000, "neighbours per interior point in eq. (4) [ours]", UsedBy::Paper);
   field("residual", o.map.residual, 1e-15, 1e-2, "relative residual of the solve of eq. (4)");
+  field("charts", o.map.charts, 0, 1'000'000,
+        "charts of each component: 1 cuts only what is no disc with holes; auto cuts free maps, too, until "
+        "their "
+        "stretch is at most 2 on average and 100 at worst; N cuts into at least so many [ours]",
+        UsedBy::Default, "auto");
+  field("uv_scale", o.map.uv_scale, UvScale::Domain, UvScale::Domain,
+        "size of the map: the domain's own, unit for all within the square from 0 to 1, real for the area of "
+        "the "
+        "surface [ours]",
+        UsedBy::Default);
   field("refine_rounds", o.mesh.refine_rounds, 1, 100,
         "most times the mesh is triangulated anew from its map [ours]", UsedBy::Default);
   field("fill_points", o.mesh.fill_points, false, true,

@@ -8,6 +8,7 @@
 
 #include "rimline/find_boundary.h"
 #include "rimline/measure.h"
+#include "rimline/seams.h"
 
 namespace rimline {
 
@@ -15,9 +16,12 @@ namespace rimline {
 struct ReconstructResult {
   BoundaryResult boundary;
   std::vector<Point> added;  // vertices that fills have of their own; their ids follow those of the input
-  std::vector<UV> uv;        // per point and added one; patches side by side where there are several
+  std::vector<UV> uv;        // per point and added one, charts side by side; NaN where a point has no place,
+                             // or several: then they are in `seams`
   std::vector<Triangle> triangles;
-  std::vector<Index> patch;          // likewise, or `none`; empty in the paper's presets
+  Seams seams;               // corner_uv() has the place of each corner of each triangle
+  std::vector<Index> chart;  // per triangle, from 0, or `none` without a map; empty in the paper's presets
+  std::vector<Index> patch;  // likewise, or `none`; empty in the paper's presets
   std::vector<std::uint8_t> filled;  // per triangle, 1 where it closes a hole; empty in the paper's presets
   Distortion distortion;             // per triangle, and per point and added one
 };

@@ -18,6 +18,7 @@ namespace rimline {
 
 struct RefineOptions {
   Domain domain = Domain::Disc;
+  bool map_later = false;  // leave the maps to map_by_charts(): uv is NaN, the mesh is as with a map
   std::array<Index, 4> corners{none, none, none, none};  // of square and rectangle, ids of points of the
                                                          // outer loop; none: found where it turns most
   int rounds = 4;               // most times the patch is triangulated anew from its map [ours]

@@ -153,6 +153,8 @@ struct HandleRepair {
 struct ComponentSummary {
   std::size_t points = 0, triangles = 0, loops = 0;
   Domain map = Domain::None;  // what its map became
+  std::size_t charts = 0;     // of its map
+  double seams = 0;           // length of the edges that its charts are cut along, in the unit of the input
   bool orientable = true;
   int genus = 0;  // handles; of a one-sided component the number of cross-caps
   std::vector<HandleRepair> repairs;

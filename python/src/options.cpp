@@ -83,7 +83,12 @@ void set_field(const Field<T>& field, nb::handle value) {
     field.value = value.is(Py_True);
   } else if constexpr (std::integral<T>) {
     if (is_switch) refuse_type(field, value);
-    set_integer(field, value);
+    std::string text;
+    if (field.zero[0] != 0 && nb::try_cast(value, text) && text == field.zero) {
+      field.value = T{};
+    } else {
+      set_integer(field, value);
+    }
   } else {
     double number = 0;
     if (is_switch || !nb::try_cast(value, number)) refuse_type(field, value);

@@ -50,6 +50,15 @@ const char* name(Domain domain) {
   return "?";
 }
 
+const char* name(UvScale scale) {
+  switch (scale) {
+    case UvScale::Domain: return "domain";
+    case UvScale::Unit: return "unit";
+    case UvScale::Real: return "real";
+  }
+  return "?";
+}
+
 const char* name(HandlePolicy handles) {
   switch (handles) {
     case HandlePolicy::Repair: return "repair";

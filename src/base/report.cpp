@@ -33,7 +33,8 @@ Json options_json(const Report& report) {
     if (!counts(field.used_by, options) || (of_map && !report.has_map)) return;
     if (of_search && report.search.starts == 0) return;  // the loops were given
     if constexpr (std::is_arithmetic_v<T>) {
-      json[field.name] = field.value;
+      const bool has_word = field.zero[0] != 0 && field.value == T{};
+      json[field.name] = has_word ? Json(field.zero) : Json(field.value);
     } else {
       json[field.name] = name(field.value);
     }
@@ -204,7 +205,7 @@ Json components_json(const std::vector<ComponentSummary>& components) {
   for (const ComponentSummary& c : components) {
     Json one = {{"points", c.points},       {"triangles", c.triangles},      {"loops", c.loops},
                 {"bad_edges", c.bad_edges}, {"bad_edge_share", c.bad_share}, {"suspect", c.suspect}};
-    one["map"] = {{"kind", name(c.map)}};
+    one["map"] = {{"kind", name(c.map)}, {"charts", c.charts}, {"seam_length", c.seams}};
     one["orientable"] = c.orientable;
     one[c.orientable ? "handles" : "cross_caps"] = c.genus;
     one["shape"] = shape_of(c);
@@ -273,6 +274,11 @@ std::string to_json(const Report& report) {
                    {"unknowns", report.map.unknowns},
                    {"iterations", report.map.iterations},
                    {"residual", report.map.residual}};
+    std::size_t charts = report.components.empty() ? 1 : 0;
+    double seams = 0;
+    for (const ComponentSummary& c : report.components) charts += c.charts, seams += c.seams;
+    json["map"]["charts"] = charts;
+    json["map"]["seam_length"] = seams;
   }
   if (report.has_mesh) {
     json["mesh"] = mesh_json(report.mesh);

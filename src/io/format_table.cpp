@@ -99,7 +99,9 @@ std::vector<Format> make_formats() {
                  .mesh = {{"obj", "all points, in order; shortest text that reads back the same",
                            "colours after `v x y z`, from 0 to 1; `vt` where there are `u` and `v`; `vn`, "
                            "the input's or else those of the mesh; "
-                           "the three share their numbers. NaN is written as 0 in `vt` and `vn`; points "
+                           "the three share their numbers, but for further `vt` of points on seams. With "
+                           "`--texture-size` a `.mtl` and a `.png` beside it. NaN is written as 0 in `vt` "
+                           "and `vn`; points "
                            "without a finite place are put where the first point is that has one"}},
                  .loops = {{"obj",
                             "an object `outer_0`, `hole_1`, ... with its `v` and one closed `l` a "
@@ -124,10 +126,13 @@ std::vector<Format> make_formats() {
                            "the middle, in "
                            "double, is the node's translation",
                            "`NORMAL` (the input's or those of the mesh), `TEXCOORD_0` (`u`, `1 - v`, as glTF "
-                           "counts v downwards), `COLOR_0` from `red green blue`. Points without a "
+                           "counts v downwards), `COLOR_0` from `red green blue`, `_POINT` with the id of "
+                           "the point (beyond 2^24 as two numbers, the second counting these): points on "
+                           "seams have further vertices, after all points. Points without a "
                            "place that a float holds are put in the middle and are in no triangle. The "
                            "material is seen "
-                           "from both sides. Axes are not turned"}}},
+                           "from both sides; with `--texture-size` it has a picture in place of `COLOR_0`. "
+                           "Axes are not turned; `asset.extras` says so, and the unit"}}},
        .told = is_glb,
        .start = "glTF",
        .read = read_glb,

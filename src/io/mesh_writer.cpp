@@ -39,6 +39,24 @@ std::vector<Point> normals_of_mesh(Points points, const Triangles& triangles) {
 
 namespace {
 
+// A file of another ending beside the mesh.
+struct FileBeside {
+  std::string path, name;
+};
+
+FileBeside file_beside(const std::string& path, const std::string& ending) {
+  const std::string whole = path.substr(0, path.rfind('.') + 1) + ending;
+  return {whole, whole.substr(whole.rfind('/') + 1)};
+}
+
+// The material that an OBJ's texture belongs to, and the texture.
+void write_material(const std::string& path, const std::string& picture) {
+  const FileBeside material = file_beside(path, "mtl"), image = file_beside(path, "png");
+  write_text(image.path, picture);
+  write_text(material.path,
+             "newmtl surface\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + image.name + "\n");
+}
+
 // OBJ and OFF have no NaN. Points without a finite place are in no triangle; they are put where the first
 // point is that has one, which no reader minds.
 class FinitePlaces {
@@ -71,17 +89,21 @@ void write_obj_places(SafeFile& file, const Cloud& cloud, const Run& run) {
   });
 }
 
-// Points without a value are in no triangle.
+// Points without a value are in no triangle, or have their places in the seams.
 void write_finite(SafeFile& file, double value, Scalar type) {
   std::isfinite(value) ? write_coordinate(file, value, type) : file.write('0');
 }
 
-void write_obj_uv(SafeFile& file, const Column& u, const Column& v, std::size_t count, const Run& run) {
-  for_each_written(count, run, [&](std::size_t i) {
+void write_obj_uv(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
+  const Column &u = *mesh.cloud.find("u"), &v = *mesh.cloud.find("v");
+  const std::size_t points = mesh.cloud.points.size();
+  for_each_written(points + mesh.dress.seams.uv.size(), run, [&](std::size_t i) {
+    const auto id = static_cast<Index>(i);
+    const UV at = i < points ? UV{u.value(id), v.value(id)} : mesh.dress.seams.uv[i - points];
     file.write("vt ");
-    write_finite(file, u.value(static_cast<Index>(i)), u.type);
+    write_finite(file, at.u, u.type);
     file.write(' ');
-    write_finite(file, v.value(static_cast<Index>(i)), v.type);
+    write_finite(file, at.v, v.type);
     file.write('\n');
   });
 }
@@ -102,13 +124,13 @@ void write_obj_normals(SafeFile& file, const Cloud& cloud, const Triangles& tria
   });
 }
 
-// "7/7/7": place, texture and normal of a corner share their number.
-void write_obj_corner(SafeFile& file, Index id, bool uv) {
+// "7/9/7": place and normal of a corner share their number, its place in the texture has one of its own.
+void write_obj_corner(SafeFile& file, Index id, std::optional<Index> texture) {
   const long long number = static_cast<long long>(id) + 1;
   file.write(' ');
   file.number(number);
   file.write('/');
-  if (uv) file.number(number);
+  if (texture) file.number(static_cast<long long>(*texture) + 1);
   file.write('/');
   file.number(number);
 }
@@ -116,23 +138,24 @@ void write_obj_corner(SafeFile& file, Index id, bool uv) {
 }  // namespace
 
 Point write_obj(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
-  const auto& [cloud, triangles, ignored] = mesh;
-  const Column* u = cloud.find("u");
-  const Column* v = cloud.find("v");
-  const bool uv = u != nullptr && v != nullptr;
+  const auto& [cloud, triangles, ignored, dress, path] = mesh;
+  const bool uv = cloud.find("u") != nullptr && cloud.find("v") != nullptr;
+  if (!dress.picture.empty()) file.write("mtllib " + file_beside(path, "mtl").name + "\n");
   write_obj_places(file, cloud, run);
-  if (uv) write_obj_uv(file, *u, *v, cloud.points.size(), run);
+  if (uv) write_obj_uv(file, mesh, run);
   write_obj_normals(file, cloud, triangles, run);
+  if (!dress.picture.empty()) file.write("usemtl surface\n");
   for_each_written(triangles.size(), run, [&](std::size_t t) {
     file.write('f');
-    for (const Index id : triangles[t]) write_obj_corner(file, id, uv);
+    for (std::size_t c = 0; c < 3; ++c)
+      write_obj_corner(file, triangles[t][c], uv ? std::optional(mesh.corners(t)[c]) : std::nullopt);
     file.write('\n');
   });
   return {};
 }
 
 Point write_off(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
-  const auto& [cloud, triangles, ignored] = mesh;
+  const auto& [cloud, triangles, ignored, dress, path] = mesh;
   file.write("OFF\n" + std::to_string(cloud.points.size()) + " " + std::to_string(triangles.size()) + " 0\n");
   const FinitePlaces places(cloud);
   for_each_written(cloud.points.size(), run, [&](std::size_t i) {
@@ -159,7 +182,7 @@ std::string stl_header(Point offset) {
 }
 
 Point write_stl(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
-  const auto& [cloud, triangles, ignored] = mesh;
+  const auto& [cloud, triangles, ignored, dress, path] = mesh;
   const Point offset = offset_for_floats(mesh);
   check_floats(mesh, offset, file.name() + ": STL");
   file.write(stl_header(offset));
@@ -194,13 +217,14 @@ void write_cloud(const std::string& path, const Cloud& cloud, const Run& run) {
 }
 
 WrittenMesh write_mesh(const std::string& path, const Cloud& cloud, const std::vector<Triangle>& triangles,
-                       const Run& run, const std::vector<Column>& face_columns) {
+                       const Run& run, const std::vector<Column>& face_columns, const Dress& dress) {
   check_mesh_path(path);
   io::SafeFile file(path);
   const io::Format& format = *io::mesh_format(io::ending_of(path));
   WrittenMesh written;
-  written.offset = format.write_mesh(file, {cloud, triangles, face_columns}, run);
+  written.offset = format.write_mesh(file, {cloud, triangles, face_columns, dress, path}, run);
   run.progress(Stage::Write, 1, 1);
+  if (!dress.picture.empty() && io::ending_of(path) == "obj") io::write_material(path, dress.picture);
   file.commit();
   if (written.offset == Point{}) return written;
   const auto& [x, y, z] = written.offset;

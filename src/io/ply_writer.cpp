@@ -13,23 +13,31 @@ namespace rimline::io {
 namespace {
 
 // Triangles without a place in the map: of components that are no disc with holes, or where none was made.
-std::size_t count_unmapped(const Cloud& cloud, const Triangles& triangles) {
-  const Column* u = cloud.find("u");
+std::size_t count_unmapped(const MeshToWrite& mesh) {
+  const Column* u = mesh.cloud.find("u");
   if (u == nullptr || u->type != Scalar::Float64) return 0;
-  return static_cast<std::size_t>(std::ranges::count_if(
-      triangles, [&](const auto& t) { return std::isnan(u->value(static_cast<std::size_t>(t[0]))); }));
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto at = static_cast<std::size_t>(mesh.corners(t)[0]), points = mesh.cloud.points.size();
+    count += std::isnan(at < points ? u->value(static_cast<Index>(at)) : mesh.dress.seams.uv[at - points].u);
+  }
+  return count;
 }
 
 // Said in the file itself: what reads it may take NaN for a fault.
-std::string comment_on_map(const Cloud& cloud, const Triangles* triangles) {
-  const std::size_t unmapped = triangles == nullptr ? 0 : count_unmapped(cloud, *triangles);
-  if (unmapped == 0) return "";
-  return "\ncomment u and v are nan where a component has no map: " + std::to_string(unmapped) + " of " +
-         std::to_string(triangles->size()) + " triangles";
+std::string comment_on_map(const MeshToWrite& mesh) {
+  std::string text;
+  if (const std::size_t unmapped = count_unmapped(mesh); unmapped > 0) {
+    text += "\ncomment u and v are nan where a component has no map: " + std::to_string(unmapped) + " of " +
+            std::to_string(mesh.triangles.size()) + " triangles";
+  }
+  if (!mesh.dress.seams.empty())
+    text += "\ncomment u and v are nan on seams, where texcoord of the faces has a place for each corner";
+  return text;
 }
 
-std::string header(const Cloud& cloud, const Triangles* triangles, const std::vector<Column>& face_columns) {
-  std::string text = "ply\nformat binary_little_endian 1.0" + comment_on_map(cloud, triangles) +
+std::string header(const Cloud& cloud, const MeshToWrite* mesh) {
+  std::string text = "ply\nformat binary_little_endian 1.0" + (mesh ? comment_on_map(*mesh) : "") +
                      "\nelement vertex " + std::to_string(cloud.points.size());
   for (const char* axis : {"x", "y", "z"}) {
     text.append("\nproperty ").append(name(cloud.coordinate_type)).append(" ").append(axis);
@@ -37,10 +45,11 @@ std::string header(const Cloud& cloud, const Triangles* triangles, const std::ve
   for (const Column& column : cloud.columns) {
     text.append("\nproperty ").append(name(column.type)).append(" ").append(column.name);
   }
-  if (triangles != nullptr) {
-    text.append("\nelement face ").append(std::to_string(triangles->size()));
+  if (mesh != nullptr) {
+    text.append("\nelement face ").append(std::to_string(mesh->triangles.size()));
     text.append("\nproperty list uchar int vertex_indices");
-    for (const Column& column : face_columns)
+    if (!mesh->dress.seams.empty()) text.append("\nproperty list uchar double texcoord");
+    for (const Column& column : mesh->face_columns)
       text.append("\nproperty ").append(name(column.type)).append(" ").append(column.name);
   }
   return text + "\nend_header\n";
@@ -123,17 +132,37 @@ void write_records(SafeFile& file, std::size_t count, std::size_t size, const Ru
   }
 }
 
-void write_faces(SafeFile& file, const Triangles& triangles, const Run& run,
-                 const std::vector<Column>& columns) {
+// u and v of the three corners, after their number.
+constexpr std::size_t texcoord_bytes = 1 + 6 * sizeof(double);
+
+void put_texcoord(const MeshToWrite& mesh, const Column& u, const Column& v, std::size_t t, char* to) {
+  const std::size_t points = mesh.cloud.points.size();
+  *to++ = 6;
+  for (const Index corner : mesh.corners(t)) {
+    const bool own = static_cast<std::size_t>(corner) < points;
+    const UV at = own ? UV{u.value(corner), v.value(corner)} : mesh.dress.seams.uv[corner - points];
+    place(to, at.u);
+    place(to + sizeof(double), at.v);
+    to += 2 * sizeof(double);
+  }
+}
+
+void write_faces(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
+  const Column *u = mesh.cloud.find("u"), *v = mesh.cloud.find("v");
+  const bool seams = !mesh.dress.seams.empty();
   constexpr std::size_t own = 1 + 3 * sizeof(Index);
-  std::size_t record = own;
-  for (const Column& column : columns) record += size_in_bytes(column.type);
-  write_records(file, triangles.size(), record, run, [&](std::size_t begin, std::size_t end, char* to) {
+  std::size_t record = own + (seams ? texcoord_bytes : 0);
+  for (const Column& column : mesh.face_columns) record += size_in_bytes(column.type);
+  write_records(file, mesh.triangles.size(), record, run, [&](std::size_t begin, std::size_t end, char* to) {
     for (std::size_t t = begin; t < end; ++t, to += record) {
       *to = 3;
-      for (std::size_t c = 0; c < 3; ++c) place(to + 1 + c * sizeof(Index), triangles[t][c]);
+      for (std::size_t c = 0; c < 3; ++c) place(to + 1 + c * sizeof(Index), mesh.triangles[t][c]);
       char* value = to + own;
-      for (const Column& column : columns) {
+      if (seams) {
+        put_texcoord(mesh, *u, *v, t, value);
+        value += texcoord_bytes;
+      }
+      for (const Column& column : mesh.face_columns) {
         const std::size_t size = size_in_bytes(column.type);
         std::memcpy(value, column.bytes.data() + t * size, size);
         if constexpr (std::endian::native == std::endian::big) std::reverse(value, value + size);
@@ -145,17 +174,16 @@ void write_faces(SafeFile& file, const Triangles& triangles, const Run& run,
 
 }  // namespace
 
-void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, const Run& run,
-               const std::vector<Column>& face_columns) {
-  file.write(header(cloud, triangles, face_columns));
+void write_ply(SafeFile& file, const Cloud& cloud, const MeshToWrite* mesh, const Run& run) {
+  file.write(header(cloud, mesh));
   const Records records(cloud);
   write_records(file, cloud.points.size(), records.bytes(), run,
                 [&](std::size_t begin, std::size_t end, char* to) { records.put(begin, end, to); });
-  if (triangles != nullptr) write_faces(file, *triangles, run, face_columns);
+  if (mesh != nullptr) write_faces(file, *mesh, run);
 }
 
 Point write_ply_mesh(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
-  write_ply(file, mesh.cloud, &mesh.triangles, run, mesh.face_columns);
+  write_ply(file, mesh.cloud, &mesh, run);
   return {};
 }
 

@@ -8,6 +8,7 @@
 #include "io/safe_file.h"
 #include "io/source.h"
 #include "rimline/cloud.h"
+#include "rimline/io.h"
 #include "rimline/mesh.h"
 #include "rimline/run.h"
 
@@ -19,6 +20,13 @@ struct MeshToWrite {
   const Cloud& cloud;
   const Triangles& triangles;
   const std::vector<Column>& face_columns;
+  const Dress& dress;
+  const std::string& path;  // where files beside it go
+
+  // The place of a corner among those of the points and of the seams.
+  const Triangle& corners(std::size_t t) const {
+    return dress.seams.empty() ? triangles[t] : dress.seams.corners[t];
+  }
 };
 
 struct LoopsToWrite {
@@ -27,8 +35,7 @@ struct LoopsToWrite {
 };
 
 // Without triangles the PLY has no element `face`.
-void write_ply(SafeFile& file, const Cloud& cloud, const Triangles* triangles, const Run& run,
-               const std::vector<Column>& face_columns = {});
+void write_ply(SafeFile& file, const Cloud& cloud, const MeshToWrite* mesh, const Run& run);
 
 // All return what was taken off the coordinates, which a reader of the file has to add: zero, but for STL.
 Point write_ply_mesh(SafeFile& file, const MeshToWrite& mesh, const Run& run);

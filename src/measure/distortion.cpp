@@ -121,14 +121,15 @@ void spread_to_points(const std::vector<Triangle>& triangles, const std::vector<
 }  // namespace
 
 Distortion measure_distortion(Points points, const std::vector<Triangle>& triangles, std::span<const UV> uv,
-                              std::span<const Index> component, std::size_t component_count, const Run& run) {
+                              std::span<const Index> component, std::size_t component_count, const Run& run,
+                              const Seams& seams) {
   std::vector<TriangleMap> maps(triangles.size());
   parallel_for_each(triangles.size(), Stage::Measure, run, [&](Index t) {
     const auto& [a, b, c] = triangles[t];
-    if (has_place(uv[a]) && has_place(uv[b]) && has_place(uv[c]))
-      maps[t] = map_of({points[a], points[b], points[c]}, {uv[a], uv[b], uv[c]});
-    else
-      maps[t] = unmapped;
+    const auto at = [&](int corner) { return corner_uv(uv, seams, triangles, t, corner); };
+    const std::array<UV, 3> q{at(0), at(1), at(2)};
+    const bool placed = has_place(q[0]) && has_place(q[1]) && has_place(q[2]);
+    maps[t] = placed ? map_of({points[a], points[b], points[c]}, q) : unmapped;
   });
   const auto component_of = [&](std::size_t t) { return component.empty() ? 0 : component[t]; };
   std::vector<Sums> parts(std::max<std::size_t>(component_count, 1));

@@ -83,16 +83,27 @@ struct TriangleSums {
 
 bool has_place(UV p) { return std::isfinite(p.u) && std::isfinite(p.v); }
 
-TriangleSums sum_slice(Points points, std::span<const Triangle> triangles, std::span<const UV> uv) {
+// Where the corners of triangles lie.
+struct Map {
+  std::span<const UV> uv;  // empty: none
+  const Seams& seams;
+};
+
+TriangleSums sum_slice(Points points, std::span<const Triangle> triangles, std::size_t begin, std::size_t end,
+                       const Map& map) {
   TriangleSums sums;
-  for (const auto& [a, b, c] : triangles) {
+  for (std::size_t t = begin; t < end; ++t) {
+    const auto& [a, b, c] = triangles[t];
     const auto angles = corner_angles(points[a], points[b], points[c]);
     const double degrees = *std::min_element(angles.begin(), angles.end()) * 180 / std::numbers::pi;
     ++sums.min_angle_histogram[std::min(11, static_cast<int>(degrees / 5))];
     sums.area += 0.5 * norm(triangle_normal(points[a], points[b], points[c]));
-    if (uv.empty() || !has_place(uv[a]) || !has_place(uv[b]) || !has_place(uv[c])) continue;
+    if (map.uv.empty()) continue;
+    const auto at = [&](int corner) { return corner_uv(map.uv, map.seams, triangles, t, corner); };
+    const UV ua = at(0), ub = at(1), uc = at(2);
+    if (!has_place(ua) || !has_place(ub) || !has_place(uc)) continue;
     ++sums.mapped;
-    const Point pa = in_space(uv[a]), pb = in_space(uv[b]), pc = in_space(uv[c]);
+    const Point pa = in_space(ua), pb = in_space(ub), pc = in_space(uc);
     sums.uv_flips += !(cross(pb - pa, pc - pa).z > 0);
     const auto flat = corner_angles(pa, pb, pc);
     for (int i = 0; i < 3; ++i) sums.distortion += std::abs(angles[i] - flat[i]);
@@ -103,13 +114,12 @@ TriangleSums sum_slice(Points points, std::span<const Triangle> triangles, std::
 constexpr std::size_t slice_size = 8192;  // of the sums: it does not depend on the number of threads
 std::size_t slice_count(std::size_t count) { return (count + slice_size - 1) / slice_size; }
 
-void measure_triangles(Points points, std::span<const Triangle> triangles, std::span<const UV> uv,
-                       const Run& run, MeshSummary& summary) {
+void measure_triangles(Points points, std::span<const Triangle> triangles, const Map& map, const Run& run,
+                       MeshSummary& summary) {
   std::vector<TriangleSums> slices(slice_count(triangles.size()));
   parallel_tasks(slices.size(), Stage::Measure, run, [&](std::size_t k) {
     const std::size_t begin = k * slice_size;
-    slices[k] =
-        sum_slice(points, triangles.subspan(begin, std::min(slice_size, triangles.size() - begin)), uv);
+    slices[k] = sum_slice(points, triangles, begin, std::min(begin + slice_size, triangles.size()), map);
   });
   double distortion = 0;
   std::size_t mapped = 0;
@@ -149,7 +159,8 @@ void measure_vertices(Points points, const Corners& corners, std::span<const dou
 }  // namespace
 
 MeshSummary measure_mesh(Points points, const std::vector<Triangle>& triangles,
-                         std::span<const double> spacing, std::span<const UV> uv, const Run& run) {
+                         std::span<const double> spacing, std::span<const UV> uv, const Run& run,
+                         const Seams& seams) {
   MeshSummary summary;
   summary.triangles = triangles.size();
   // One thread each, at the same time.
@@ -167,7 +178,7 @@ MeshSummary measure_mesh(Points points, const std::vector<Triangle>& triangles,
   summary.euler = static_cast<long long>(summary.points_used) - static_cast<long long>(summary.edges) +
                   static_cast<long long>(triangles.size());
   summary.components = summary.points_used - joins;
-  measure_triangles(points, triangles, uv, run, summary);
+  measure_triangles(points, triangles, {uv, seams}, run, summary);
   return summary;
 }
 

@@ -104,7 +104,7 @@ Filled fill(Points points, Triangulation mesh, const std::vector<Loop>& loops,
 Patch map_patch(Points points, Triangulation mesh, const std::vector<Loop>& loops, std::vector<UV> uv,
                 const RefineOptions& options, const Run& run) {
   Patch patch;
-  if (options.domain != Domain::None) {
+  if (options.domain != Domain::None && !options.map_later) {
     FinalMap map = final_map(points, mesh, loops, options, std::move(uv), run);
     patch.uv = std::move(map.uv);
     patch.domain = map.kind;

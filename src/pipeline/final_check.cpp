@@ -34,7 +34,8 @@ void drop_turned_maps(MappedMesh& mesh) {
     if (turned[c]) mesh.components[c].map = Domain::None;
   }
   mesh.warnings.push_back(fmt::format(
-      "the maps of {} components are left out: they have triangles without area in double precision", count));
+      "the domain's maps of {} components are left out: they have triangles without area in double precision",
+      count));
 }
 
 std::vector<Loop> loops_of(const MappedMesh& mesh, Index component) {

@@ -8,16 +8,19 @@
 #include "rimline/boundary_loops.h"
 #include "rimline/mesh.h"
 #include "rimline/report.h"
+#include "rimline/seams.h"
 
 namespace rimline::pipeline {
 
 // Ids are those of the arrangement, then those of the vertices that fills added.
 struct MappedMesh {
   std::vector<Point> vertices;  // the points of the arrangement, then those that fills added
-  std::vector<UV> uv;           // one per vertex
-  std::vector<Index> patch;     // of each vertex, or `none`; empty where there is one patch only
+  std::vector<UV> uv;           // one per vertex; NaN where there is none, or several, which are in `seams`
+  Seams seams;
+  std::vector<Index> patch;  // of each vertex, or `none`; empty where there is one patch only
   std::vector<Triangle> triangles;
   std::vector<Index> triangle_patch;  // as `patch`
+  std::vector<Index> chart;           // per triangle, or `none` without a map; empty where nobody counts them
   std::vector<char> filled;           // per triangle, 1 where it closes a hole, or empty
   std::vector<Loop> loops;            // where the mesh ends, the surface on their left
   std::vector<PointLabel> label;      // FoundLoops::label, but for the holes that were filled

@@ -43,7 +43,24 @@ struct Part {
   std::vector<double> spacing;
   std::vector<UV> uv;
   std::vector<Triangle> triangles;
+  Seams seams;
 };
+
+// Gives each part the places of its corners: those of a corner at a seam for itself alone.
+void share_seams(const MappedMesh& mesh, std::vector<Part>& parts) {
+  std::vector<std::size_t> seen(parts.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Part& part = parts[mesh.triangle_patch[t]];
+    Triangle corners = part.triangles[seen[mesh.triangle_patch[t]]++];
+    for (int c = 0; c < 3; ++c) {
+      if (mesh.seams.corners[t][c] == mesh.triangles[t][c]) continue;
+      part.seams.point.push_back(corners[c]);
+      corners[c] = static_cast<Index>(part.points.size() + part.seams.uv.size());
+      part.seams.uv.push_back(corner_uv(mesh.uv, mesh.seams, mesh.triangles, t, c));
+    }
+    part.seams.corners.push_back(corners);
+  }
+}
 
 // One for each component, its triangles in their order.
 std::vector<Part> parts_of(const MappedMesh& mesh, const std::vector<double>& spacing) {
@@ -64,6 +81,7 @@ std::vector<Part> parts_of(const MappedMesh& mesh, const std::vector<double>& sp
       own[c] = local[v];
     }
   }
+  if (!mesh.seams.empty()) share_seams(mesh, parts);
   return parts;
 }
 
@@ -74,9 +92,9 @@ std::vector<MeshSummary> measure_parts(const MappedMesh& mesh, const std::vector
   if (mesh.components.size() == 1) return {whole};
   std::vector<MeshSummary> summaries;
   for (const Part& part : parts_of(mesh, spacing)) {
-    summaries.push_back(part.triangles.empty()
-                            ? MeshSummary{}
-                            : measure_mesh(part.points, part.triangles, part.spacing, part.uv, run));
+    summaries.push_back(part.triangles.empty() ? MeshSummary{}
+                                               : measure_mesh(part.points, part.triangles, part.spacing,
+                                                              part.uv, run, part.seams));
   }
   return summaries;
 }
@@ -138,9 +156,9 @@ Measures measure(const PreparedPoints& prepared, const MappedMesh& mesh, const R
   clock.enter(Stage::Measure);
   const std::vector<double> spacing = spacing_of_vertices(prepared.spacing, mesh);
   Measures measures;
-  measures.mesh = measure_mesh(mesh.vertices, mesh.triangles, spacing, mesh.uv, run);
+  measures.mesh = measure_mesh(mesh.vertices, mesh.triangles, spacing, mesh.uv, run, mesh.seams);
   measures.distortion = measure_distortion(mesh.vertices, mesh.triangles, mesh.uv, mesh.triangle_patch,
-                                           mesh.components.size(), run);
+                                           mesh.components.size(), run, mesh.seams);
   const std::vector<MeshSummary> parts = measure_parts(mesh, spacing, measures.mesh, run);
   const Pairs pairs = find_self_intersections(mesh.vertices, mesh.triangles, run, most_self_intersections);
   const std::vector<std::size_t> intersections = count_intersections(pairs, mesh);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/domain_traits.h"
+#include "pipeline/charts.h"
 #include "pipeline/filled_holes.h"
 #include "pipeline/final_check.h"
 #include "pipeline/given_loops.h"
@@ -29,6 +31,7 @@ std::array<Index, 4> arranged_corners(std::array<Index, 4> corners, const std::v
 RefineOptions refine_options(const Options& options, const PreparedPoints& prepared, bool range_scan) {
   RefineOptions refine;
   refine.domain = options.map.domain;
+  refine.map_later = traits(options.map.domain).released;
   refine.rounds = options.mesh.refine_rounds;
   refine.residual = options.map.residual;
   refine.handles = options.mesh.handles;
@@ -90,10 +93,10 @@ std::string why_unmeshed(bool range_scan) {
 }
 
 MappedMesh with_summaries(MappedMesh mesh, const PreparedPoints& prepared,
-                          const std::vector<PatchReport>& patches, Domain wanted) {
+                          const std::vector<PatchReport>& patches) {
   mesh.map = summarize_maps(patches);
   mesh.components = summarize_patches(patches, prepared);
-  mesh.warnings = warn_of_components(patches, wanted);
+  mesh.warnings = warn_of_components(patches);
   return mesh;
 }
 
@@ -107,6 +110,12 @@ std::vector<Loop> rated(std::vector<Loop> loops, const std::vector<float>& proba
     loop.fitness = sum / std::pow(static_cast<double>(loop.points.size()), exponent);
   }
   return loops;
+}
+
+MappedMesh with_warnings_of_maps(MappedMesh mesh, Domain wanted) {
+  for (std::string& warning : warn_of_maps(mesh.components, wanted))
+    mesh.warnings.push_back(std::move(warning));
+  return mesh;
 }
 
 }  // namespace
@@ -130,9 +139,10 @@ MappedMesh mesh_patches(const PreparedPoints& prepared, const FoundLoops& found,
   mesh.label = label_boundary(found.label, mesh.loops);
   mesh.unmeshed = why_unmeshed(found.range_scan);
   mesh.left_out = describe_left_out(prepared, surface);
-  mesh = with_summaries(std::move(mesh), prepared, surface.patches, refine.domain);
+  mesh = with_summaries(std::move(mesh), prepared, surface.patches);
   mesh = orient_patches(std::move(mesh), arranged_normals(given, prepared), options.mesh.up, refine.domain);
-  return checked(take_out_filled(std::move(mesh), surface.patches), prepared, run);
+  mesh = checked(take_out_filled(std::move(mesh), surface.patches), prepared, run);
+  return with_warnings_of_maps(map_charts(std::move(mesh), options.map, run), options.map.domain);
 }
 
 }  // namespace rimline::pipeline

@@ -96,6 +96,8 @@ ReconstructResult reconstruct(Points points, const Options& options, const Run& 
   result.added = added_points(prepared, mesh);
   result.uv = uv_of_input(prepared, mesh.uv);
   result.triangles = triangles_of_input(prepared, mesh.triangles);
+  result.seams = seams_of_input(prepared, mesh.seams);
+  result.chart = mesh.chart;
   result.patch = patch_of_input(prepared, mesh.patch);
   result.filled.assign(mesh.filled.begin(), mesh.filled.end());
   result.distortion = distortion_of_input(prepared, std::move(measures.distortion));

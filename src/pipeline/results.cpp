@@ -128,6 +128,15 @@ std::vector<Triangle> triangles_of_input(const PreparedPoints& prepared, std::ve
   return triangles;
 }
 
+Seams seams_of_input(const PreparedPoints& prepared, Seams seams) {
+  const auto used = static_cast<Index>(prepared.ids().size());
+  const auto left_out = static_cast<Index>(prepared.input.size()) - used;
+  // Places of seams follow the vertices, whose number grows by the points that take no part.
+  seams.corners = triangles_of_input(prepared, std::move(seams.corners));
+  for (Index& v : seams.point) v = v < used ? prepared.ids()[v] : v + left_out;
+  return seams;
+}
+
 Distortion distortion_of_input(const PreparedPoints& prepared, Distortion distortion) {
   constexpr auto unknown = static_cast<float>(nan);
   Distortion::Values& point = distortion.point;

@@ -7,6 +7,7 @@
 #include "pipeline/method.h"
 #include "pipeline/prepare.h"
 #include "rimline/score_boundary.h"
+#include "rimline/seams.h"
 
 namespace rimline::pipeline {
 
@@ -18,6 +19,7 @@ Distortion distortion_of_input(const PreparedPoints& prepared, Distortion distor
 
 std::vector<Point> added_points(const PreparedPoints& prepared, const MappedMesh& mesh);
 std::vector<Triangle> triangles_of_input(const PreparedPoints& prepared, std::vector<Triangle> triangles);
+Seams seams_of_input(const PreparedPoints& prepared, Seams seams);
 
 // The loops, and what is known of each point. `label` is that of the loops; the report is left empty.
 BoundaryResult boundary_of_input(const PreparedPoints& prepared, const BoundaryScores& scores,

@@ -73,6 +73,7 @@ void scale_report(Report& report, int exponent) {
   }
   for (ComponentSummary& component : report.components) {
     scale(component.mesh.area, 2 * exponent);
+    scale(component.seams, exponent);
     scale(component.low, exponent);
     scale(component.high, exponent);
     for (HandleRepair& repair : component.repairs) {
@@ -87,9 +88,11 @@ void scale_report(Report& report, int exponent) {
   }
 }
 
-// A free map is at the scale of the surface, the others are of size 1.
+// Where the map is at the scale of the surface; else it is of size 1.
 void scale_map(std::vector<UV>& uv, const Scaled& scaled) {
-  if (traits(scaled.options.map.domain).released) scale(uv, scaled.exponent);
+  const ParameterizeOptions& map = scaled.options.map;
+  const bool of_domain = map.uv_scale == UvScale::Domain && traits(map.domain).released;
+  if (of_domain || map.uv_scale == UvScale::Real) scale(uv, scaled.exponent);
 }
 
 }  // namespace
@@ -119,6 +122,7 @@ void to_input_unit(const Scaled& scaled, const Options& options, ParameterizeRes
 void to_input_unit(const Scaled& scaled, const Options& options, ReconstructResult& result) {
   to_input_unit(scaled, options, result.boundary);
   scale_map(result.uv, scaled);
+  scale_map(result.seams.uv, scaled);
   scale(result.added, scaled.exponent);
 }
 

@@ -4,16 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace rimline::pipeline {
 namespace {
 
-using IsIt = std::function<bool(const PatchReport&)>;
-
 // "component 3 of 1,200 points is ..." or "7 of 450 components are ..., the largest is component 3 of 1,200
 // points"; "" where there is none.
-std::string tell(const std::vector<PatchReport>& patches, const IsIt& is_it, const std::string& one,
+template <class Patch, class IsIt>
+std::string tell(const std::vector<Patch>& patches, const IsIt& is_it, const std::string& one,
                  const std::string& many) {
   std::size_t count = 0, largest = 0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
@@ -44,38 +42,6 @@ std::string tell_of_failures(const std::vector<PatchReport>& patches) {
       "were not meshed (" + failed->failure + ")");
 }
 
-std::string shape_of(const PatchReport& patch) {
-  if (!patch.orientable) return "one-sided";
-  if (patch.loops == 0)
-    return patch.genus == 0 ? "closed" : fmt::format("closed, with handles: {}", patch.genus);
-  return fmt::format("with handles: {}", patch.genus);
-}
-
-bool is_disc(const PatchReport& patch) { return patch.orientable && patch.genus == 0 && patch.loops > 0; }
-
-void tell_of_maps(const std::vector<PatchReport>& patches, Domain wanted, std::vector<std::string>& told) {
-  const auto meshed = [](const PatchReport& p) { return p.failure.empty(); };
-  const auto no_disc = [&](const PatchReport& p) { return meshed(p) && !is_disc(p); };
-  const auto first = std::ranges::find_if(patches, no_disc);
-  if (first != patches.end() && wanted != Domain::None) {
-    told.push_back(tell(patches, no_disc, "is no disc with holes (" + shape_of(*first) + ") and has no map",
-                        "are no discs with holes and have no map"));
-  }
-  if (wanted == Domain::None) return;
-  const auto turned = [&](const PatchReport& p) {
-    return meshed(p) && is_disc(p) && p.domain == Domain::None;
-  };
-  told.push_back(tell(patches, turned, "has no map: every one that was made turns triangles over",
-                      "have no map: every one that was made turns triangles over"));
-  const auto other = [&](const PatchReport& p) {
-    return meshed(p) && p.domain != Domain::None && p.domain != wanted;
-  };
-  const std::string disc =
-      "the disc's map, at the area of the surface: no free map without turned triangles "
-      "was found";
-  told.push_back(tell(patches, other, "has " + disc, "have " + disc));
-}
-
 std::string tell_of_repairs(const std::vector<PatchReport>& patches) {
   std::size_t repairs = 0;
   for (const PatchReport& patch : patches) repairs += patch.repairs.size();
@@ -88,10 +54,30 @@ std::string tell_of_repairs(const std::vector<PatchReport>& patches) {
 
 }  // namespace
 
-std::vector<std::string> warn_of_components(const std::vector<PatchReport>& patches, Domain wanted) {
+std::vector<std::string> warn_of_components(const std::vector<PatchReport>& patches) {
   std::vector<std::string> told{tell_of_suspects(patches), tell_of_failures(patches),
                                 tell_of_repairs(patches)};
-  tell_of_maps(patches, wanted, told);
+  std::erase(told, "");
+  return told;
+}
+
+std::vector<std::string> warn_of_maps(const std::vector<ComponentSummary>& components, Domain wanted) {
+  if (wanted == Domain::None) return {};
+  const auto is_mapped = [](const ComponentSummary& c) { return c.map != Domain::None; };
+  const auto none = [&](const ComponentSummary& c) { return c.triangles > 0 && !is_mapped(c); };
+  const auto free = [&](const ComponentSummary& c) {
+    return c.map == Domain::Free && wanted != Domain::Free;
+  };
+  const auto disc = [&](const ComponentSummary& c) { return is_mapped(c) && c.map != wanted && !free(c); };
+  const std::string no_map = " no map: every one that was made turns triangles over";
+  const std::string of_charts =
+      " a free map, of one chart or several: not a disc with holes, or squeezed too far in " +
+      std::string(wanted == Domain::Disc ? "the disc" : "the domain");
+  const std::string of_disc =
+      " the disc's map, at the area of the surface: no free map without turned triangles was found";
+  std::vector<std::string> told{tell(components, none, "has" + no_map, "have" + no_map),
+                                tell(components, free, "has" + of_charts, "have" + of_charts),
+                                tell(components, disc, "has" + of_disc, "have" + of_disc)};
   std::erase(told, "");
   return told;
 }

@@ -10,8 +10,11 @@
 
 namespace rimline::pipeline {
 
-// Components that are suspect, failed, were mended, or have another map than the one wanted.
-std::vector<std::string> warn_of_components(const std::vector<PatchReport>& patches, Domain wanted);
+// Components that are suspect, failed or were mended.
+std::vector<std::string> warn_of_components(const std::vector<PatchReport>& patches);
+
+// Components that have another map than the one wanted, or none.
+std::vector<std::string> warn_of_maps(const std::vector<ComponentSummary>& components, Domain wanted);
 
 // Above this many median spacings an edge is far longer than the sample asks for.
 constexpr double far_longer = 6;

@@ -16,6 +16,7 @@ struct Ply {
   std::vector<std::string> properties;                  // "float x", in order
   std::map<std::string, std::vector<std::string>> raw;  // property's name -> bytes of each vertex's value
   std::vector<std::array<int, 3>> faces;
+  std::vector<std::array<double, 6>> texcoord;  // of each face, or empty
   std::size_t vertices = 0;
 
   bool has(const std::string& property) const {
@@ -49,7 +50,7 @@ inline Ply parse_ply(const std::string& bytes) {
   Ply ply;
   std::vector<std::pair<std::string, std::string>> columns;
   std::size_t faces = 0, at = 0;
-  std::string element, line;
+  std::string element, line, face_lines;
   while (line != "end_header") {
     const std::size_t end = bytes.find('\n', at);
     if (end == std::string::npos) throw std::runtime_error("no end_header");
@@ -67,10 +68,14 @@ inline Ply parse_ply(const std::string& bytes) {
       columns.emplace_back(second, third);
       ply.properties.push_back(second + " " + third);
     }
-    if (first == "property" && element == "face" && line != "property list uchar int vertex_indices") {
-      throw std::runtime_error(line);
-    }
+    if (first == "property" && element == "face") face_lines += line + "\n";
   }
+  const std::string ids = "property list uchar int vertex_indices\n", chart = "property int chart\n";
+  const std::string places = "property list uchar double texcoord\n";
+  const bool has_places = face_lines.find(places) != std::string::npos;
+  const bool has_chart = face_lines.find(chart) != std::string::npos;
+  if (faces > 0 && face_lines != ids + (has_places ? places : "") + (has_chart ? chart : ""))
+    throw std::runtime_error(face_lines);
   for (std::size_t i = 0; i < ply.vertices; ++i) {
     for (const auto& [type, name] : columns) {
       ply.raw[name].push_back(bytes.substr(at, ply_size(type)));
@@ -83,6 +88,12 @@ inline Ply parse_ply(const std::string& bytes) {
     std::memcpy(face.data(), bytes.data() + at + 1, sizeof face);
     ply.faces.push_back(face);
     at += 1 + sizeof face;
+    if (has_places) {
+      if (bytes[at] != 6) throw std::runtime_error("a texcoord that is no six numbers");
+      std::memcpy(ply.texcoord.emplace_back().data(), bytes.data() + at + 1, 6 * sizeof(double));
+      at += 1 + 6 * sizeof(double);
+    }
+    if (has_chart) at += sizeof(int);
   }
   if (at != bytes.size()) throw std::runtime_error("bytes left over");
   return ply;

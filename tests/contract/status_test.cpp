@@ -130,7 +130,7 @@ TEST_CASE("status 3: points that no chain of neighbours joins to the loop are co
   CHECK(folder.names() == Names{"loops.json", "two.xyz"});
 }
 
-TEST_CASE("a closed surface has no loops, and a mesh without a map that faces outward") {
+TEST_CASE("a closed surface has no loops, and a mesh that faces outward, with a map of two charts") {
   const Folder folder;
   const std::string input = sample(folder, "closed-sphere", "2000");
   const Finished none = rimline::test::rimline({"boundary", input, "--loops", folder / "loops.json"});
@@ -144,12 +144,19 @@ TEST_CASE("a closed surface has no loops, and a mesh without a map that faces ou
   CHECK(contains(done.out, "closed"));
   const auto report = nlohmann::json::parse(read_file(folder / "report.json"));
   CHECK(report.at("mesh").at("euler_number") == 2);
-  CHECK(report.at("map").at("kind") == nlohmann::json{"none"});
+  CHECK(report.at("map").at("kind") == nlohmann::json{"free"});
+  CHECK(report.at("map").at("charts") == 2);
   CHECK(report.at("components").at(0).at("shape") == "closed");
   const Ply mesh = parse_ply(read_file(folder / "mesh.ply"));
   CHECK(broken_rule(mesh.faces, static_cast<int>(mesh.vertices)) == "");
   CHECK(rim_of(mesh.faces).empty());
-  for (const double u : mesh.values<double>("u")) CHECK(std::isnan(u));
+  const auto u = mesh.values<double>("u");
+  REQUIRE(mesh.texcoord.size() == mesh.faces.size());
+  for (std::size_t t = 0; t < mesh.faces.size(); ++t) {
+    const auto& c = mesh.texcoord[t];
+    CHECK((c[2] - c[0]) * (c[5] - c[1]) - (c[3] - c[1]) * (c[4] - c[0]) > 0);
+    for (int i = 0; i < 3; ++i) CHECK((std::isnan(u[mesh.faces[t][i]]) || u[mesh.faces[t][i]] == c[2 * i]));
+  }
 }
 
 TEST_CASE("status 3: where no triangle can be given, loops and report are written all the same") {

@@ -242,8 +242,9 @@ void check_strictly(const std::string& bytes) {
     CHECK(offset % size == 0);
     CHECK(length == count * width * size);
     CHECK(buffer + offset + length <= bytes.size());
-    CHECK(view["target"] == (type == "SCALAR" ? 34963 : 34962));
-    CHECK((type == "SCALAR" || count == vertices));
+    const bool indices = component == 5125;
+    CHECK(view["target"] == (indices ? 34963 : 34962));
+    CHECK((indices || count == vertices));
     for (std::size_t i = 0; i < count * width; ++i) {
       const std::size_t at = buffer + offset + i * size;
       if (component == 5125) CHECK(number_at<std::uint32_t>(bytes, at) < vertices);

@@ -32,12 +32,14 @@ std::vector<std::vector<Index>> ids_of(const std::vector<Loop>& loops) {
   return ids;
 }
 
-// The largest difference of two maps whose second is `factor` as large; infinite where one is not finite.
+// The largest difference of two maps whose second is `factor` as large; infinite where only one is finite.
 double map_difference(const std::vector<UV>& a, const std::vector<UV>& b, double factor) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  double most = a.size() == b.size() ? 0 : std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    if (std::isnan(a[i].u) && std::isnan(b[i].u)) continue;  // on a seam
     const double du = std::abs(a[i].u - b[i].u / factor), dv = std::abs(a[i].v - b[i].v / factor);
-    most = std::isfinite(du + dv) ? std::max({most, du, dv}) : std::numeric_limits<double>::infinity();
+    if (!std::isfinite(du + dv)) return std::numeric_limits<double>::infinity();
+    most = std::max({most, du, dv});
   }
   return most;
 }
@@ -48,6 +50,8 @@ void check_same(const ReconstructResult& one, const ReconstructResult& other, do
   CHECK(other.triangles == one.triangles);
   CHECK(other.patch == one.patch);
   CHECK(map_difference(one.uv, other.uv, map_factor) <= tolerance);
+  CHECK(other.seams.corners == one.seams.corners);
+  CHECK(map_difference(one.seams.uv, other.seams.uv, map_factor) <= tolerance);
   for (std::size_t i = 0; i < one.boundary.loops.size(); ++i) {
     CHECK(other.boundary.loops[i].length / factor == doctest::Approx(one.boundary.loops[i].length));
     CHECK(other.boundary.report.loops[i].length == other.boundary.loops[i].length);

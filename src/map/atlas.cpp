@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/atlas.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "base/vec.h"
+#include "map/bisect.h"
+#include "map/cut_graph.h"
+#include "solve/sparse.h"
+
+namespace rimline {
+namespace {
+
+std::vector<OpenMesh> halves(const OpenMesh& open, Index vertex) {
+  return open_parts(open, bisect(open, vertex), Cuts(open.mesh.triangles.size(), {0, 0, 0}));
+}
+
+// A vertex of the triangle that is smallest in the map against its area in space.
+Index most_stretched(const OpenMesh& open, const std::vector<UV>& uv) {
+  Index worst = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Triangle& t : open.mesh.triangles) {
+    const UV e = uv[t[1]] - uv[t[0]], f = uv[t[2]] - uv[t[0]];
+    const double area = triangle_area(open.points, t), ratio = (e.u * f.v - e.v * f.u) / area;
+    if (!(area > 0) || !(ratio < least)) continue;
+    least = ratio;
+    worst = t[0];
+  }
+  return worst;
+}
+
+// The vertices of all loops but that of `vertex`.
+std::vector<Index> other_rims(const OpenMesh& open, Index vertex) {
+  std::vector<Index> rims;
+  for (const Loop& loop : open.loops) {
+    if (std::ranges::find(loop.points, vertex) != loop.points.end()) continue;
+    rims.insert(rims.end(), loop.points.begin(), loop.points.end());
+  }
+  return rims;
+}
+
+constexpr std::size_t most_slits = 12;  // in one chart
+
+}  // namespace
+
+Atlas::Atlas(const ChartOptions& options, const Run& run)
+    : options_(options), run_(run), is_free_(options.charts != 1) {}
+
+Atlas::Outlook Atlas::look(const OpenMesh& open) {
+  constexpr double rough = 1e-6;  // residual of what only tells where to cut
+  looks_left_ -= open.vertices();
+  Outlook outlook;
+  outlook.log_scale = conformal_log_scale(open, rough, outlook.turning, run_);
+  outlook.stretch = stretch_of_scale(open, outlook.log_scale);
+  outlook.worst = static_cast<Index>(std::ranges::min_element(outlook.log_scale) - outlook.log_scale.begin());
+  return outlook;
+}
+
+bool Atlas::promises(const Stretch& stretch) const {
+  constexpr double margin = 0.95;  // what is told beforehand is no more than near
+  return stretch.mean <= margin * options_.mean_stretch && stretch.worst <= margin * options_.worst_stretch;
+}
+
+std::optional<Chart> Atlas::mapped(OpenMesh open, const Outlook& outlook) const {
+  Chart chart{std::move(open), {}, outlook.worst};
+  chart.map = free_chart(chart.open, outlook.turning, options_.residual, false, run_);
+  if (!chart.map) return {};
+  const Stretch stretch = stretch_of_map(chart.open, chart.map->uv);
+  if (!(stretch.mean <= options_.mean_stretch && stretch.worst <= options_.worst_stretch)) return {};
+  chart.worst = most_stretched(chart.open, chart.map->uv);
+  return chart;
+}
+
+std::optional<Chart> Atlas::with_slits(const OpenMesh& open, Outlook outlook) {
+  constexpr double progress = 0.97;  // of the mean or the worst stretch: more is none
+  OpenMesh slitted = open;
+  for (std::size_t k = 0; k < most_slits && looks_left_ >= open.vertices(); ++k) {
+    run_.check_cancel();
+    const std::vector<Index> rims = other_rims(slitted, outlook.worst);
+    if (rims.empty()) return {};
+    std::vector<OpenMesh> parts = open_parts(slitted, std::vector<Index>(slitted.mesh.triangles.size(), 0),
+                                             slit(slitted, outlook.worst, rims));
+    if (parts.size() != 1) return {};
+    slitted = std::move(parts.front());
+    Outlook next = look(slitted);
+    if (promises(next.stretch)) return mapped(std::move(slitted), next);
+    if (!(next.stretch.mean < progress * outlook.stretch.mean) &&
+        !(next.stretch.worst < progress * outlook.stretch.worst))
+      return {};
+    outlook = std::move(next);
+  }
+  return {};
+}
+
+bool Atlas::cut(const OpenMesh& open, Index vertex) {
+  if (open.mesh.triangles.size() < 2) return false;
+  for (OpenMesh& part : halves(open, vertex)) open_.push_back(std::move(part));
+  return true;
+}
+
+void Atlas::treat(OpenMesh open) {
+  if (!is_free_) {
+    Chart chart{std::move(open), {}, 0};
+    chart.map = free_chart(chart.open, {}, options_.residual, true, run_);
+    if (!chart.map) chart.map = disc_chart(chart.open, options_.residual, run_);
+    failed_ = failed_ || !chart.map;
+    done_.push_back(std::move(chart));
+    return;
+  }
+  const Outlook outlook = look(open);
+  if (promises(outlook.stretch)) {
+    if (auto chart = mapped(open, outlook)) return done_.push_back(std::move(*chart));
+  } else if (auto chart = with_slits(open, outlook)) {
+    return done_.push_back(std::move(*chart));
+  }
+  if (cut(open, outlook.worst)) return;
+  Chart last{std::move(open), {}, 0};  // a single triangle
+  last.map = free_chart(last.open, {}, options_.residual, true, run_);
+  failed_ = failed_ || !last.map;
+  done_.push_back(std::move(last));
+}
+
+void Atlas::take(std::vector<OpenMesh> parts) {
+  // At all charts together, for slits and for joining them: more on small surfaces.
+  constexpr std::int64_t looks_a_vertex = 25, more = 100, small = 20'000;
+  for (const OpenMesh& part : parts)
+    looks_left_ += looks_a_vertex * part.vertices() + more * std::min<std::int64_t>(part.vertices(), small);
+  for (OpenMesh& part : parts) open_.push_back(std::move(part));
+  while (!open_.empty()) {
+    run_.check_cancel();
+    OpenMesh open = std::move(open_.back());
+    open_.pop_back();
+    treat(std::move(open));
+  }
+}
+
+void Atlas::append(Atlas&& other) {
+  for (Chart& chart : other.done_) done_.push_back(std::move(chart));
+  failed_ = failed_ || other.failed_;
+}
+
+void Atlas::cut_to(std::size_t count) {
+  while (done_.size() < count) {
+    const auto largest = std::ranges::max_element(
+        done_, {}, [](const Chart& chart) { return chart.open.mesh.triangles.size(); });
+    if (largest == done_.end() || largest->open.mesh.triangles.size() < 2) return;
+    const Chart chart = std::move(*largest);
+    done_.erase(largest);
+    take(halves(chart.open, chart.worst));
+  }
+}
+
+namespace {
+
+// Two charts, and how long their seam is.
+struct Pair {
+  double length;
+  Index a, b;  // a < b
+};
+
+// Of charts numbered per triangle of `whole`, those with the longest seams first.
+std::vector<Pair> neighbours_of(const OpenMesh& whole, const std::vector<Index>& chart) {
+  std::map<std::pair<Index, Index>, double> lengths;
+  for (Index t = 0; t < whole.mesh.size(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      const Index other = whole.mesh.adjacent[t][c];
+      if (other == none || other < t || chart[other] == chart[t]) continue;
+      const Triangle& v = whole.mesh.triangles[t];
+      lengths[std::minmax(chart[t], chart[other])] +=
+          distance(whole.points[v[next(c)]], whole.points[v[previous(c)]]);
+    }
+  }
+  std::vector<Pair> pairs;
+  for (const auto& [pair, length] : lengths) pairs.push_back({length, pair.first, pair.second});
+  std::ranges::sort(pairs, [](const Pair& x, const Pair& y) {
+    return std::tie(y.length, x.a, x.b) < std::tie(x.length, y.a, y.b);
+  });
+  return pairs;
+}
+
+}  // namespace
+
+void Atlas::join(const OpenMesh& whole) {
+  constexpr std::size_t largest = 400'000;  // triangles of two charts that are tried as one
+  std::vector<Index> place;                 // in `whole`, of the surface's triangles
+  place.assign(static_cast<std::size_t>(*std::ranges::max_element(whole.triangle)) + 1, none);
+  for (std::size_t i = 0; i < whole.triangle.size(); ++i) place[whole.triangle[i]] = static_cast<Index>(i);
+  std::set<std::pair<Index, Index>> tried;  // by the first triangles of both
+  for (bool again = true; again;) {
+    again = false;
+    std::vector<Index> number;  // of the chart of each triangle of `whole`
+    number.assign(whole.mesh.triangles.size(), none);
+    for (std::size_t c = 0; c < done_.size(); ++c) {
+      for (const Index t : done_[c].open.triangle) number[place[t]] = static_cast<Index>(c);
+    }
+    std::vector<char> gone(done_.size(), 0), fresh(done_.size(), 0);
+    for (const auto& [length, a, b] : neighbours_of(whole, number)) {
+      if (gone[a] || gone[b] || fresh[a] || fresh[b]) continue;
+      run_.check_cancel();
+      std::vector<Index> both;
+      for (const Index c : {a, b}) {
+        for (const Index t : done_[c].open.triangle) both.push_back(place[t]);
+      }
+      if (both.size() > largest) continue;
+      if (!tried.emplace(done_[a].open.triangle.front(), done_[b].open.triangle.front()).second) continue;
+      if (looks_left_ < static_cast<std::int64_t>(both.size())) break;
+      std::ranges::sort(both);
+      OpenMesh open = open_selection(whole, both);
+      if (open.loops.empty()) continue;
+      const Outlook outlook = look(open);
+      std::optional<Chart> chart =
+          promises(outlook.stretch) ? mapped(std::move(open), outlook) : with_slits(open, outlook);
+      if (!chart) continue;
+      done_[a] = std::move(*chart);
+      fresh[a] = gone[b] = 1;
+      again = true;
+    }
+    std::vector<Chart> left;
+    for (std::size_t c = 0; c < done_.size(); ++c) {
+      if (!gone[c]) left.push_back(std::move(done_[c]));
+    }
+    done_ = std::move(left);
+  }
+}
+
+}  // namespace rimline

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Charts over one surface: cut as far as it takes, and joined again where that was too far.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "map/conformal_scale.h"
+#include "map/free_chart.h"
+#include "map/open_mesh.h"
+#include "rimline/map_by_charts.h"
+
+namespace rimline {
+
+struct Chart {
+  OpenMesh open;
+  std::optional<ChartMap> map;
+  Index worst = 0;  // the vertex at which it is stretched most
+};
+
+class Atlas {
+ public:
+  Atlas(const ChartOptions& options, const Run& run);
+
+  // Maps the parts, which are discs with holes; where the choice is free, cuts until the bounds hold.
+  void take(std::vector<OpenMesh> parts);
+
+  // Cuts the largest chart in two until there are enough.
+  void cut_to(std::size_t count);
+
+  // Joins charts that are neighbours in `whole`, of which all are parts, where the bounds hold for both as
+  // one.
+  void join(const OpenMesh& whole);
+
+  // Takes over the charts of another.
+  void append(Atlas&& other);
+
+  std::vector<Chart>& charts() { return done_; }
+  bool failed() const { return failed_; }  // whether a chart has no map
+
+ private:
+  // What a conformal map would be like.
+  struct Outlook {
+    std::vector<double> log_scale, turning;
+    Stretch stretch;
+    Index worst = 0;
+  };
+
+  Outlook look(const OpenMesh& open);
+  bool promises(const Stretch& stretch) const;
+  std::optional<Chart> mapped(OpenMesh open, const Outlook& outlook) const;
+  std::optional<Chart> with_slits(const OpenMesh& open, Outlook outlook);
+  void treat(OpenMesh open);
+  bool cut(const OpenMesh& open, Index vertex);
+
+  const ChartOptions& options_;
+  const Run& run_;
+  bool is_free_, failed_ = false;
+  std::int64_t looks_left_ = 0;  // vertices of charts that may yet be looked at
+  std::vector<OpenMesh> open_;
+  std::vector<Chart> done_;
+};
+
+}  // namespace rimline

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/free_chart.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/vec.h"
+#include "map/conformal_descent.h"
+#include "map/domain.h"
+#include "map/embed.h"
+#include "map/free_map.h"
+#include "map/outline_crossings.h"
+#include "map/outline_first.h"
+
+namespace rimline {
+namespace {
+
+constexpr double flat_mean = 1.05;  // of conformal_distortion(): above it, triangles are all but flat in uv
+
+bool is_valid(const OpenMesh& open, const std::vector<UV>& uv, const Run& run) {
+  return flipped_triangles(open.mesh.triangles, uv, run).empty() && crossing_points(open.loops, uv).empty();
+}
+
+bool is_good(const OpenMesh& open, const std::vector<UV>& uv, const Run& run) {
+  return is_valid(open, uv, run) && conformal_distortion(open.points, open.mesh, uv) <= flat_mean;
+}
+
+// To the area of the surface; one that has all but none, to the length of its outline.
+void scale_chart(const OpenMesh& open, std::vector<UV>& uv) {
+  constexpr double thin = 1e-8;  // of the square of the outline's length
+  const Loop& outline = open.loops.front();
+  double area = 0, length = 0;
+  for (const Triangle& t : open.mesh.triangles) area += triangle_area(open.points, t);
+  if (area > thin * outline.length * outline.length) return scale_to_area(open.points, open.mesh, uv);
+  for (std::size_t i = 0; i < outline.points.size(); ++i) {
+    const UV a = uv[outline.points[i]], b = uv[outline.points[next_in(i, outline.points.size())]];
+    length += std::hypot(b.u - a.u, b.v - a.v);
+  }
+  for (UV& p : uv) p = {outline.length / length * p.u, outline.length / length * p.v};
+}
+
+ChartMap laid_out(const OpenMesh& open, std::vector<UV> uv, const MapSummary& summary) {
+  lay_level(open.points, open.loops.front().points, uv);
+  scale_chart(open, uv);
+  return {std::move(uv), Domain::Free, summary};
+}
+
+// Descends from a valid map.
+std::optional<ChartMap> relaxed(const OpenMesh& open, std::vector<UV> uv, const MapSummary& summary,
+                                const Run& run) {
+  if (!is_valid(open, uv, run)) return {};
+  relax_conformally(open.points, open.mesh, open.loops, uv, run);
+  if (!is_valid(open, uv, run)) return {};
+  return laid_out(open, std::move(uv), summary);
+}
+
+// Within the outline that `uv` has.
+std::optional<ChartMap> anew_within(const OpenMesh& open, std::vector<UV> uv, double residual,
+                                    const Run& run) {
+  constexpr int repairs = 4;
+  if (!crossing_points({open.loops.front()}, uv).empty()) return {};
+  uv.resize(open.points.size() + open.loops.size() - 1);
+  const Embedding inside = embed(open.points, open.mesh, open.loops, residual, repairs, uv, run);
+  if (inside.flips > 0) return {};
+  uv.resize(open.points.size());
+  return relaxed(open, std::move(uv), inside.map, run);
+}
+
+std::optional<ChartMap> to_disc(const OpenMesh& open, double residual, const Run& run) {
+  constexpr int repairs = 8;
+  std::vector<UV> uv(open.points.size() + open.loops.size() - 1);
+  place_outline(open.points, open.loops.front().points, Domain::Disc, std::array{none, none, none, none}, uv);
+  const Embedding disc = embed(open.points, open.mesh, open.loops, residual, repairs, uv, run);
+  if (disc.flips > 0) return {};
+  uv.resize(open.points.size());
+  scale_chart(open, uv);
+  return ChartMap{std::move(uv), Domain::Disc, disc.map};
+}
+
+std::optional<ChartMap> first_good(const OpenMesh& open, const std::vector<double>& turning, double residual,
+                                   bool patient, const Run& run) {
+  constexpr Index large = 30'000, too_large = 200'000;  // vertices: for least squares at first, and at all
+  constexpr double little = 1e-3;                       // then no inner edge without a weight
+  std::vector<UV> uv;
+  if (open.vertices() > large && !turning.empty()) {
+    const MapSummary summary = map_outline_first(open, turning, residual, uv, run);
+    if (is_good(open, uv, run)) return laid_out(open, std::move(uv), summary);
+    if (!patient || open.vertices() > too_large) return {};
+  }
+  for (const double least : {0.0, little}) {
+    const MapSummary summary = free_map(open.points, open.mesh, open.loops.front().points, least, uv, run);
+    if (is_good(open, uv, run)) return laid_out(open, std::move(uv), summary);
+    if (flipped_triangles(open.mesh.triangles, uv, run).empty()) break;
+  }
+  if (auto map = anew_within(open, uv, residual, run)) return map;
+  if (!patient) return {};
+  const auto disc = to_disc(open, residual, run);
+  return disc ? relaxed(open, disc->uv, disc->summary, run) : std::nullopt;
+}
+
+// Nothing where a system could not be solved.
+template <class Map>
+std::optional<ChartMap> where_solved(const Map& map) {
+  try {
+    return map();
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::NoConvergence) throw;
+    return {};
+  }
+}
+
+}  // namespace
+
+std::optional<ChartMap> disc_chart(const OpenMesh& open, double residual, const Run& run) {
+  return where_solved([&] { return to_disc(open, residual, run); });
+}
+
+std::optional<ChartMap> free_chart(const OpenMesh& open, const std::vector<double>& turning, double residual,
+                                   bool patient, const Run& run) {
+  return where_solved([&] { return first_good(open, turning, residual, patient, run); });
+}
+
+}  // namespace rimline

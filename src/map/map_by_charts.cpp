@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rimline/map_by_charts.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "base/parallel.h"
+#include "base/vec.h"
+#include "map/atlas.h"
+#include "map/bisect.h"
+#include "map/cut_graph.h"
+#include "mesh/edges.h"
+#include "solve/sparse.h"
+
+namespace rimline {
+namespace {
+
+std::vector<OpenMesh> cut_along(const OpenMesh& open, const Cuts& cuts) {
+  return open_parts(open, std::vector<Index>(open.mesh.triangles.size(), 0), cuts);
+}
+
+// Without handles, in parts that hang together.
+std::vector<OpenMesh> without_handles(Points points, const std::vector<Triangle>& triangles) {
+  const OpenMesh surface = open_surface(points, triangles);
+  std::vector<OpenMesh> whole;
+  for (OpenMesh& part : cut_along(surface, Cuts(surface.mesh.triangles.size(), {0, 0, 0}))) {
+    if (part.genus == 0) {
+      whole.push_back(std::move(part));
+    } else {
+      std::ranges::move(cut_along(part, cut_handles(part)), std::back_inserter(whole));
+    }
+  }
+  return whole;
+}
+
+// Discs with holes: closed surfaces are cut, in two or by a slit.
+std::vector<OpenMesh> discs_of(const OpenMesh& whole, bool in_two) {
+  if (!whole.loops.empty()) return {whole};
+  if (!in_two) {
+    std::vector<OpenMesh> opened = cut_along(whole, slit(whole, 0, {}));
+    if (!opened.front().loops.empty()) return opened;
+  }
+  return open_parts(whole, bisect(whole, 0), Cuts(whole.mesh.triangles.size(), {0, 0, 0}));
+}
+
+// From (0, 0) on.
+void move_to_origin(std::vector<UV>& uv) {
+  UV low = uv.front();
+  for (const UV p : uv) low = {std::min(low.u, p.u), std::min(low.v, p.v)};
+  for (UV& p : uv) p = p - low;
+}
+
+void append(Chart& chart, const std::vector<Triangle>& triangles, ChartedMap& map) {
+  const auto first = static_cast<Index>(map.uv.size()), id = static_cast<Index>(map.charts++);
+  move_to_origin(chart.map->uv);
+  map.uv.insert(map.uv.end(), chart.map->uv.begin(), chart.map->uv.end());
+  map.vertex.insert(map.vertex.end(), chart.open.vertex.begin(), chart.open.vertex.end());
+  for (std::size_t i = 0; i < chart.open.triangle.size(); ++i) {
+    const Index t = chart.open.triangle[i];
+    const Triangle& own = chart.open.mesh.triangles[i];
+    map.chart[t] = id;
+    for (int c = 0; c < 3; ++c) {
+      const Index v = chart.open.vertex[own[c]];
+      const auto corner = std::ranges::find(triangles[t], v) - triangles[t].begin();
+      map.corners[t][corner] = first + own[c];
+      if (c == 0) map.turned[t] = triangles[t][(corner + 1) % 3] != chart.open.vertex[own[1]];
+    }
+    if (map.turned[t]) std::swap(map.corners[t][1], map.corners[t][2]);
+  }
+  if (chart.map->kind == Domain::Disc) map.kind = Domain::Disc;
+  map.summary.unknowns += chart.map->summary.unknowns;
+  map.summary.iterations += chart.map->summary.iterations;
+  map.summary.residual = std::max(map.summary.residual, chart.map->summary.residual);
+}
+
+// Each edge of a seam is one of the outline on either side, and the boundary is none.
+double length_of_seams(const std::vector<Chart>& charts, double boundary) {
+  double length = 0;
+  for (const Chart& chart : charts) {
+    for (const Loop& loop : chart.open.loops) length += loop.length;
+  }
+  return std::max(0.0, length - boundary) / 2;
+}
+
+double length_of_boundary(Points points, const std::vector<Triangle>& triangles) {
+  double length = 0;
+  for (const Edge& edge : edges_of(triangles)) {
+    if (edge.triangles == 1) length += distance(points[edge.a], points[edge.b]);
+  }
+  return length;
+}
+
+}  // namespace
+
+ChartedMap map_by_charts(Points points, const std::vector<Triangle>& triangles, const ChartOptions& options,
+                         const Run& run) {
+  tbb::task_arena arena(thread_count(run));
+  return arena.execute([&] {
+    Atlas atlas(options, run);
+    for (const OpenMesh& whole : without_handles(points, triangles)) {
+      Atlas own(options, run);
+      own.take(discs_of(whole, options.charts != 1));
+      if (options.charts == 0 && own.charts().size() > 1) own.join(whole);
+      atlas.append(std::move(own));
+    }
+    if (options.charts > 1) atlas.cut_to(static_cast<std::size_t>(options.charts));
+    ChartedMap map;
+    if (atlas.failed()) return map;
+    map.kind = Domain::Free;
+    map.corners.resize(triangles.size());
+    map.chart.resize(triangles.size());
+    map.turned.resize(triangles.size());
+    for (Chart& chart : atlas.charts()) append(chart, triangles, map);
+    if (map.uv.size() > points.size())
+      map.seams = length_of_seams(atlas.charts(), length_of_boundary(points, triangles));
+    return map;
+  });
+}
+
+}  // namespace rimline

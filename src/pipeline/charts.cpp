@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/charts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "base/domain_traits.h"
+#include "base/parallel.h"
+#include "base/vec.h"
+#include "patch/pack.h"
+#include "rimline/map_by_charts.h"
+
+namespace rimline::pipeline {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// A component on its own.
+struct Part {
+  std::vector<Index> triangles;  // of the mesh
+  std::vector<Index> vertices;   // of the mesh, by ids of the part
+  std::vector<Point> points;
+  std::vector<Triangle> own;  // in ids of the part
+  ChartedMap map;
+  double area = 0;
+};
+
+std::vector<Part> parts_of(const MappedMesh& mesh) {
+  std::vector<Part> parts(mesh.components.size());
+  std::vector<Index> local(mesh.vertices.size(), none), owner(mesh.vertices.size(), none);
+  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t) {
+    Part& part = parts[mesh.triangle_patch[t]];
+    part.triangles.push_back(t);
+    Triangle& own = part.own.emplace_back();
+    for (int c = 0; c < 3; ++c) {
+      const Index v = mesh.triangles[t][c];
+      if (owner[v] != mesh.triangle_patch[t]) {
+        owner[v] = mesh.triangle_patch[t];
+        local[v] = static_cast<Index>(part.vertices.size());
+        part.vertices.push_back(v);
+        part.points.push_back(mesh.vertices[v]);
+      }
+      own[c] = local[v];
+    }
+    part.area += triangle_area(mesh.vertices, mesh.triangles[t]);
+  }
+  return parts;
+}
+
+// One place a vertex, as the domain's map has it.
+void keep_map(const MappedMesh& mesh, std::size_t component, Part& part) {
+  ChartedMap& map = part.map;
+  map.kind = mesh.components[component].map;
+  map.charts = 1;
+  for (Index v = 0; v < static_cast<Index>(part.vertices.size()); ++v) {
+    map.uv.push_back(mesh.uv[part.vertices[v]]);
+    map.vertex.push_back(v);
+  }
+  map.corners = part.own;
+  map.chart.assign(part.own.size(), 0);
+  map.turned.assign(part.own.size(), 0);
+}
+
+// Small components each have a thread, large ones all of them.
+void map_parts(std::vector<Part>& parts, const std::vector<std::size_t>& wanted, const ChartOptions& options,
+               const Run& run) {
+  constexpr std::size_t large = 20'000;  // points
+  std::vector<std::size_t> small;
+  for (const std::size_t p : wanted) {
+    if (wanted.size() > 1 && parts[p].points.size() < large) {
+      small.push_back(p);
+    } else {
+      parts[p].map = map_by_charts(parts[p].points, parts[p].own, options, run);
+    }
+  }
+  Run alone = run.without_progress();
+  alone.threads = 1;
+  parallel_tasks(small.size(), Stage::Refine, run, [&](std::size_t i) {
+    Part& part = parts[small[i]];
+    part.map = map_by_charts(part.points, part.own, options, alone);
+  });
+}
+
+double area_in_map(const ChartedMap& map) {
+  double area = 0;
+  for (const auto& [a, b, c] : map.corners) {
+    const UV p = map.uv[a], q = map.uv[b], r = map.uv[c];
+    area += 0.5 * ((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u));
+  }
+  return area;
+}
+
+// Charts come at the scale of the surface, maps to a domain at its own.
+void set_scale(const ParameterizeOptions& options, bool charted, Part& part) {
+  const bool real = options.uv_scale != UvScale::Domain || traits(options.domain).released;
+  if (real == charted || part.map.charts == 0) return;
+  const double wanted = real ? part.area : std::numbers::pi;  // the unit disc's
+  const double scale = std::sqrt(wanted / std::max(area_in_map(part.map), 1e-300));
+  for (UV& p : part.map.uv) p = {scale * p.u, scale * p.v};
+}
+
+// All places of all parts.
+struct Layout {
+  std::vector<UV> uv;
+  std::vector<Index> vertex, chart;  // of each place
+};
+
+Layout lay_out(MappedMesh& mesh, const std::vector<Part>& parts, std::vector<Triangle>& corners) {
+  Layout layout;
+  Index charts = 0;
+  corners.assign(mesh.triangles.size(), {none, none, none});
+  mesh.chart.assign(mesh.triangles.size(), none);
+  for (const Part& part : parts) {
+    const ChartedMap& map = part.map;
+    if (map.charts == 0) continue;
+    const auto first = static_cast<Index>(layout.uv.size());
+    layout.uv.insert(layout.uv.end(), map.uv.begin(), map.uv.end());
+    layout.chart.resize(layout.uv.size(), none);
+    for (const Index v : map.vertex) layout.vertex.push_back(part.vertices[v]);
+    for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+      const Index t = part.triangles[i];
+      mesh.chart[t] = charts + map.chart[i];
+      for (int c = 0; c < 3; ++c) {
+        corners[t][c] = first + map.corners[i][c];
+        layout.chart[corners[t][c]] = mesh.chart[t];
+      }
+    }
+    charts += static_cast<Index>(map.charts);
+  }
+  return layout;
+}
+
+// Within the square from 0 to 1.
+void fit_unit_square(std::vector<UV>& uv) {
+  if (uv.empty()) return;
+  UV low = uv.front(), high = low;
+  for (const UV p : uv) {
+    low = {std::min(low.u, p.u), std::min(low.v, p.v)};
+    high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+  }
+  constexpr double margin = 1.0 / 256;  // at each side
+  const double extent = std::max({high.u - low.u, high.v - low.v, 1e-300});
+  const double scale = (1 - 2 * margin) / extent;
+  for (UV& p : uv) p = {margin + scale * (p.u - low.u), margin + scale * (p.v - low.v)};
+}
+
+// Whether rounding took a triangle's area where the chart has come to lie.
+bool is_turned(const Part& part, const std::vector<Triangle>& corners, const std::vector<UV>& uv) {
+  return part.map.charts > 0 && std::ranges::any_of(part.triangles, [&](Index t) {
+           const UV p = uv[corners[t][0]], q = uv[corners[t][1]], r = uv[corners[t][2]];
+           return !((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u) > 0);
+         });
+}
+
+// Parts, whose maps would have triangles without area, without them.
+Layout lay_out_sound(MappedMesh& mesh, std::vector<Part>& parts, UvScale scale,
+                     std::vector<Triangle>& corners) {
+  for (;;) {
+    Layout layout = lay_out(mesh, parts, corners);
+    std::size_t charts = 0, dropped = 0;
+    for (const Part& part : parts) charts += part.map.charts;
+    pack_patches(layout.chart, charts, layout.uv);
+    if (scale == UvScale::Unit) fit_unit_square(layout.uv);
+    for (Part& part : parts) {
+      if (!is_turned(part, corners, layout.uv)) continue;
+      part.map = {};
+      ++dropped;
+    }
+    if (dropped == 0) return layout;
+  }
+}
+
+// One-sided surfaces face where their charts do.
+void turn_triangles(const std::vector<Part>& parts, MappedMesh& mesh) {
+  for (const Part& part : parts) {
+    for (std::size_t i = 0; i < part.map.turned.size(); ++i) {
+      Triangle& t = mesh.triangles[part.triangles[i]];
+      if (part.map.turned[i]) std::swap(t[1], t[2]);
+    }
+  }
+}
+
+// A vertex of one place has it, of several none of its own.
+void give_places(const Layout& layout, std::vector<Triangle> corners, MappedMesh& mesh) {
+  std::vector<Index> count(mesh.vertices.size(), 0);
+  for (const Index v : layout.vertex) ++count[v];
+  mesh.uv.assign(mesh.vertices.size(), {nan, nan});
+  std::vector<Index> place(layout.uv.size());
+  for (std::size_t i = 0; i < layout.uv.size(); ++i) {
+    const Index v = layout.vertex[i];
+    if (count[v] == 1) {
+      mesh.uv[v] = layout.uv[i];
+      place[i] = v;
+      continue;
+    }
+    place[i] = static_cast<Index>(mesh.vertices.size() + mesh.seams.uv.size());
+    mesh.seams.uv.push_back(layout.uv[i]);
+    mesh.seams.point.push_back(v);
+  }
+  if (mesh.seams.empty()) return;
+  for (std::size_t t = 0; t < corners.size(); ++t) {
+    for (int c = 0; c < 3; ++c)
+      corners[t][c] = corners[t][c] == none ? mesh.triangles[t][c] : place[corners[t][c]];
+  }
+  mesh.seams.corners = std::move(corners);
+}
+
+void report_on(const std::vector<Part>& parts, const std::vector<std::size_t>& charted, MappedMesh& mesh) {
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    mesh.components[p].map = parts[p].map.kind;
+    mesh.components[p].charts = parts[p].map.charts;
+    mesh.components[p].seams = parts[p].map.seams;
+  }
+  for (const std::size_t p : charted) {
+    const MapSummary& own = parts[p].map.summary;
+    mesh.map.unknowns += own.unknowns;
+    mesh.map.iterations += own.iterations;
+    mesh.map.residual = std::max(mesh.map.residual, own.residual);
+  }
+}
+
+// The maps as they are, one place a vertex.
+MappedMesh with_chart_a_component(MappedMesh mesh) {
+  std::vector<Index> chart_of(mesh.components.size(), none);
+  Index charts = 0;
+  for (std::size_t c = 0; c < mesh.components.size(); ++c) {
+    if (mesh.components[c].map == Domain::None || mesh.components[c].triangles == 0) continue;
+    chart_of[c] = charts++;
+    mesh.components[c].charts = 1;
+  }
+  mesh.chart.clear();
+  mesh.chart.reserve(mesh.triangles.size());
+  for (const Index component : mesh.triangle_patch) mesh.chart.push_back(chart_of[component]);
+  return mesh;
+}
+
+}  // namespace
+
+MappedMesh map_charts(MappedMesh mesh, const ParameterizeOptions& options, const Run& run) {
+  if (options.domain == Domain::None) return with_chart_a_component(std::move(mesh));
+  const bool all_mapped = std::ranges::none_of(
+      mesh.components, [](const auto& c) { return c.triangles > 0 && c.map == Domain::None; });
+  if (all_mapped && options.uv_scale == UvScale::Domain) return with_chart_a_component(std::move(mesh));
+  std::vector<Part> parts = parts_of(mesh);
+  std::vector<std::size_t> charted;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (parts[p].own.empty()) continue;
+    if (mesh.components[p].map == Domain::None) {
+      charted.push_back(p);
+    } else {
+      keep_map(mesh, p, parts[p]);
+    }
+  }
+  map_parts(parts, charted, {.charts = options.charts, .residual = options.residual}, run);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    set_scale(options, std::ranges::binary_search(charted, p), parts[p]);
+  std::vector<Triangle> corners;
+  const Layout layout = lay_out_sound(mesh, parts, options.uv_scale, corners);
+  turn_triangles(parts, mesh);
+  give_places(layout, std::move(corners), mesh);
+  report_on(parts, charted, mesh);
+  return mesh;
+}
+
+}  // namespace rimline::pipeline
