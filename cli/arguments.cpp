@@ -319,6 +319,19 @@ void add_mesh_method(CLI::App& command, MethodArguments& arguments) {
                        names_of_formats(FormatUse::ReadFaces)));
   add_path(command, "--uv-picture", arguments.uv_picture, "OUT.png|svg",
            "Draw the map: its layout in the plane, and a checkerboard that it puts on the surface");
+  add_parsed(
+      command, "--texture-size", "N",
+      "Bake the colours of the points into a picture of N pixels each way, laid out as the map: beside an "
+      "OBJ "
+      "as .png with .mtl, within a .glb. The map then lies in the square from 0 to 1. From 1 to 16384.",
+      "Map (section 5)", [&](const std::string& text) {
+        arguments.texture_size = static_cast<int>(parse_whole("--texture-size", text, 1, 16384));
+      });
+  add_parsed(
+      command, "--texture-property", "NAME",
+      "Bake this property of the points in place of their colours, from black at its least to white at its "
+      "greatest value.",
+      "Map (section 5)", [&](const std::string& text) { arguments.texture_property = text; });
   command
       .add_flag_callback(
           "--allow-partial",

@@ -43,6 +43,8 @@ struct MethodArguments {
   std::optional<std::array<Index, 4>> corners;
   std::string reference, uv_picture;          // of reconstruct alone
   bool distortion = false;                    // likewise
+  int texture_size = 0;                       // likewise; pixels each way, 0 for none
+  std::string texture_property;               // likewise
   std::vector<std::string> panels;            // of the picture; none for all
   int picture_size = 620;                     // pixels of each panel
   std::map<std::string, std::string> fields;  // options given as flags: the field's name, its text

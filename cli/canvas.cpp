@@ -86,6 +86,17 @@ void write_title(cairo_t* cairo, const std::string& title, const std::string& no
   cairo_show_text(cairo, note.c_str());
 }
 
+std::string png_of(std::vector<std::uint32_t> pixels, int size) {
+  std::string bytes;
+  const Surface image(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels.data()),
+                                                          CAIRO_FORMAT_ARGB32, size, size, 4 * size),
+                      &cairo_surface_destroy);
+  const cairo_status_t status = cairo_surface_write_to_png_stream(image.get(), append, &bytes);
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+  if (status != CAIRO_STATUS_SUCCESS) throw Error(ErrorCode::CannotWrite, cairo_status_to_string(status));
+  return bytes;
+}
+
 void write_drawing(const std::string& path, int width, int height, double scale,
                    const std::function<void(cairo_t*)>& draw) {
   const bool svg = ending_of(path) == "svg";

@@ -4,6 +4,7 @@
 
 #include <cairo.h>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -38,6 +39,9 @@ void set_colour(cairo_t* cairo, Colour colour, double alpha = 1);
 // A raster of `fine` pixels per pixel, at the origin.
 void paint(cairo_t* cairo, const Raster& raster);
 void write_title(cairo_t* cairo, const std::string& title, const std::string& note);
+
+// A square image of opaque or empty pixels (0xAARRGGBB, row by row) as the bytes of a PNG.
+std::string png_of(std::vector<std::uint32_t> pixels, int size);
 
 // PNG or SVG by the ending, `scale` times as large as drawn. Throws CannotWrite.
 void write_drawing(const std::string& path, int width, int height, double scale,

@@ -7,9 +7,11 @@
 
 #include "columns.h"
 #include "method.h"
+#include "outputs.h"
 #include "rimline/formats.h"
 #include "rimline/io.h"
 #include "subcommands.h"
+#include "texture.h"
 
 namespace rimline::cli {
 namespace {
@@ -66,20 +68,47 @@ ReconstructResult mesh_or_write_rest(const MethodArguments& arguments, const Opt
   }
 }
 
+// With the map where a texture wants it.
+Options options_of(const MethodArguments& arguments) {
+  Options options = arguments.options();
+  if (arguments.texture_size == 0) {
+    if (arguments.texture_property.empty()) return options;
+    throw Error(ErrorCode::BadOption, "--texture-property is for a texture; give --texture-size too");
+  }
+  const std::string ending = ending_of(arguments.output);
+  if (ending != "obj" && ending != "glb")
+    throw Error(ErrorCode::BadOption, "--texture-size wants a mesh that ends in .obj or .glb");
+  if (options.preset != Preset::Default || options.map.domain == Domain::None ||
+      options.map.uv_scale == UvScale::Real) {
+    throw Error(
+        ErrorCode::BadOption,
+        "--texture-size wants a map in the square from 0 to 1: of the preset default, to any domain but "
+        "none, at --uv-scale unit");
+  }
+  options.map.uv_scale = UvScale::Unit;
+  return options;
+}
+
 void run_reconstruct(const MethodArguments& arguments) {
-  const Options options = arguments.options();
+  const Options options = options_of(arguments);
   const auto outputs = outputs_of(arguments, {"--output", arguments.output, {}, true, check_mesh_path});
   check_outputs(outputs);
   Session session(arguments.common);
   Inputs in = read_inputs(arguments, session);
+  if (arguments.texture_size > 0) check_texture(in.cloud, arguments.texture_property);
   ReconstructResult result = mesh_or_write_rest(arguments, options, in, session);
   session.clock().enter(Stage::Write);
   add_fill_vertices(in.cloud, result.added, result.boundary);
   put_map_columns(in.cloud, result.uv, result.boundary.boundary);
   if (!result.patch.empty()) set_column(in.cloud, make_column("component", result.patch));
   const std::vector<Column> face_columns = put_mesh_columns(arguments, result, in.cloud);
+  Dress dress{result.seams};
+  if (arguments.texture_size > 0) {
+    dress.picture =
+        bake_texture(in.cloud, result, arguments.texture_property, arguments.texture_size, session.run());
+  }
   const WrittenMesh written =
-      write_mesh(arguments.output, in.cloud, result.triangles, session.run(), face_columns, {result.seams});
+      write_mesh(arguments.output, in.cloud, result.triangles, session.run(), face_columns, dress);
   Report report = told(in, result.boundary.report);
   report.offset = written.offset;
   report.warnings.insert(report.warnings.end(), written.notices.begin(), written.notices.end());

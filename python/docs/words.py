@@ -142,6 +142,9 @@ ATTRIBUTES = {
     "loops": "By component, the outer one first.",
     "kind": "'outer' or 'hole'.",
     "faces": "Triangles of three ids, counter-clockwise seen from the side that the surface faces.",
-    "uv": "Where the map puts each point; NaN for those that take no part.",
+    "uv": "Where the map puts each point; NaN for those that take no part, and for those of several places.",
+    "seam_uv": "Further places, of points that have several: `corner_uv` has those of all corners.",
+    "seam_point": "Whose each further place is.",
+    "corners": "Of each triangle, its places: ids of points, then of further places.",
 }
 ATTRIBUTES_OF = {("Loop", "points"): "Ids in their order; the last joins the first.", ("Sample", "points"): "In random order."}

@@ -76,6 +76,6 @@ def to_open3d(result: ReconstructResult) -> open3d.geometry.TriangleMesh:
         open3d.utility.Vector3dVector(np.asarray(result.vertices, np.float64)),
         open3d.utility.Vector3iVector(result.faces),
     )
-    made.triangle_uvs = open3d.utility.Vector2dVector(result.uv[result.faces.ravel()])
+    made.triangle_uvs = open3d.utility.Vector2dVector(result.corner_uv.reshape(-1, 2))
     made.compute_vertex_normals()
     return made

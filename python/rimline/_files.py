@@ -115,7 +115,7 @@ def write_mesh(path: PathLike, cloud: Union[Cloud, PointsLike], triangles: npt.A
     ids = as_triangles(triangles)
     with Run() as run:
         single = places.dtype == np.float32
-        _core.write_mesh(os.fspath(path), as_doubles(places), single, columns, ids, {}, run)
+        _core.write_mesh(os.fspath(path), as_doubles(places), single, columns, ids, {}, {}, run)
 
 
 @documented

@@ -166,6 +166,10 @@ class ReconstructResult(BoundaryResult):
     uv: UV
     added: Places
     faces: Triangles
+    seam_uv: Optional[UV]
+    seam_point: Optional[Ids]
+    corners: Optional[Triangles]
+    chart: Optional[Ids]
     patch: Optional[Ids]
     filled: Optional[Flags]
     distortion: Distortion
@@ -178,6 +182,13 @@ class ReconstructResult(BoundaryResult):
             return self.points
         both: Places = np.concatenate([self.points, self.added]).astype(self.points.dtype, copy=False)
         return both
+
+    @property
+    def corner_uv(self) -> npt.NDArray[np.float64]:
+        """(m, 3, 2): where each corner of each triangle lies; NaN where there is no map."""
+        if self.corners is None or self.seam_uv is None:
+            return self.uv[self.faces]
+        return np.concatenate([self.uv, self.seam_uv])[self.corners]
 
     def _story(self) -> list[str]:
         mesh = self.report["mesh"]
@@ -229,10 +240,13 @@ class ReconstructResult(BoundaryResult):
         return to_open3d(self)
 
 
+NOT_OF_POINTS = ("points", "uv", "added", "seam_point", "chart")
+
+
 def array_fields(result: BoundaryResult) -> dict[str, npt.NDArray[Any]]:
     """The arrays with a value for each point, by name."""
     count = len(result.boundary)
-    values = {f.name: getattr(result, f.name) for f in fields(result) if f.name not in ("points", "uv", "added")}
+    values = {f.name: getattr(result, f.name) for f in fields(result) if f.name not in NOT_OF_POINTS}
     return {
         name: value
         for name, value in values.items()

@@ -56,9 +56,18 @@ def _mesh_columns(result: ReconstructResult) -> Columns:
 
 
 def _face_columns(result: ReconstructResult) -> Columns:
-    if not _fills_holes(result) or result.filled is None:
+    made: Columns = {}
+    if _fills_holes(result) and result.filled is not None:
+        made["filled"] = result.filled
+    if result.chart is not None and result.chart.max(initial=0) > 0:
+        made["chart"] = result.chart
+    return made
+
+
+def _seams(result: ReconstructResult) -> Columns:
+    if result.seam_uv is None or result.seam_point is None or result.corners is None:
         return {}
-    return {"filled": result.filled}
+    return {"uv": result.seam_uv, "point": result.seam_point, "corners": result.corners}
 
 
 def save_boundary(result: BoundaryResult, path: PathLike) -> None:
@@ -88,5 +97,6 @@ def save_mesh(result: ReconstructResult, path: PathLike) -> None:
             file_columns(_mesh_columns(result)),
             result.faces,
             file_columns(_face_columns(result)),
+            _seams(result),
             run,
         )

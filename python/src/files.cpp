@@ -4,6 +4,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <tuple>
@@ -119,15 +120,34 @@ void write_cloud_of(const std::string& path, const PointRows& points, bool as_fl
   });
 }
 
+// Of a result: uv, point and corners, or nothing.
+Seams seams_of(const Dict& given, std::size_t points, std::size_t triangles) {
+  Seams seams;
+  if (!given.contains("uv")) return seams;
+  const auto uv = as_uv(nb::cast<UvRows>(given["uv"]));
+  const auto owners = as_span(nb::cast<List<Index>>(given["point"]));
+  seams.uv.assign(uv.begin(), uv.end());
+  seams.point.assign(owners.begin(), owners.end());
+  seams.corners = as_triangles(nb::cast<TriangleRows>(given["corners"]));
+  check_triangles(seams.corners, points + seams.uv.size());
+  const auto is_point = [&](Index id) { return id >= 0 && static_cast<std::size_t>(id) < points; };
+  if (seams.point.size() != seams.uv.size() || seams.corners.size() != triangles ||
+      !std::ranges::all_of(seams.point, is_point))
+    throw nb::value_error("seams do not belong to this mesh");
+  return seams;
+}
+
 void write_mesh_of(const std::string& path, const PointRows& points, bool as_floats, const Dict& columns,
-                   const TriangleRows& ids, const Dict& face_columns, const RunArguments& run) {
+                   const TriangleRows& ids, const Dict& face_columns, const Dict& given_seams,
+                   const RunArguments& run) {
   const Cloud cloud = cloud_of(points, as_floats, columns);
   const std::vector<Triangle> triangles = as_triangles(ids);
   check_triangles(triangles, cloud.points.size());
   const std::vector<Column> of_faces = columns_of(face_columns, triangles.size());
+  const Seams seams = seams_of(given_seams, points.shape(0), triangles.size());
   check_mesh_path(path);
   call(run, [&](const Run& r) {
-    write_mesh(path, cloud, triangles, r, of_faces);
+    write_mesh(path, cloud, triangles, r, of_faces, {seams});
     return true;
   });
 }
@@ -168,7 +188,7 @@ void add_files(nb::module_& m) {
   m.def("write_cloud", &write_cloud_of, nb::arg("path"), nb::arg("points"), nb::arg("as_floats"),
         nb::arg("columns"), nb::arg("run"));
   m.def("write_mesh", &write_mesh_of, nb::arg("path"), nb::arg("points"), nb::arg("as_floats"),
-        nb::arg("columns"), nb::arg("triangles"), nb::arg("face_columns"), nb::arg("run"));
+        nb::arg("columns"), nb::arg("triangles"), nb::arg("face_columns"), nb::arg("seams"), nb::arg("run"));
   m.def("write_loops", &write_loops_of, nb::arg("path"), nb::arg("loops"), nb::arg("points"), nb::arg("run"));
   m.def("formats", &formats);
   m.def("mesh_endings", [] { return written_endings(FormatUse::WriteMesh); });

@@ -96,6 +96,10 @@ Dict reconstruct_of(const PointRows& points, const Options& options, const RunAr
   made["uv"] = give(std::move(result.uv));
   made["added"] = give(std::move(result.added));
   made["triangles"] = give(std::move(result.triangles));
+  put_if_any(made, "seam_uv", std::move(result.seams.uv));
+  put_if_any(made, "seam_point", std::move(result.seams.point));
+  put_if_any(made, "corners", std::move(result.seams.corners));
+  put_if_any(made, "chart", std::move(result.chart));
   put_if_any(made, "patch", std::move(result.patch));
   put_if_any(made, "filled", std::move(result.filled));
   made["distortion"] = distortion_values(std::move(result.distortion.point));

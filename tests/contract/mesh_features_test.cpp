@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be asked of a mesh beyond the mesh.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "ply.h"
 #include "tool.h"
 
 using namespace rimline::test;
@@ -152,4 +154,57 @@ TEST_CASE("--uv-picture draws PNG and SVG") {
   CHECK(read_file(folder / "uv.png").substr(1, 3) == "PNG");
   reconstruct(folder, input, {"--uv-picture", folder / "uv.svg"});
   CHECK(read_file(folder / "uv.svg").find("<svg") != std::string::npos);
+}
+
+TEST_CASE("--charts and --uv-scale: a ball in the unit square, by two charts or by five") {
+  const Folder folder;
+  const std::string input = folder / "ball.ply";
+  REQUIRE(rimline::test::rimline({"sample", "closed-sphere", "-n", "1500", "-o", input, "-q"}).status == 0);
+  for (const auto& [charts, count] : {std::pair<std::string, int>{"auto", 2}, {"5", 5}}) {
+    CAPTURE(charts);
+    const Result result =
+        reconstruct(folder, input, {"--domain", "free", "--charts", charts, "--uv-scale", "unit"});
+    CHECK(result.report["map"]["charts"] == count);
+    CHECK(result.report["map"]["seam_length"] > 5);
+    CHECK(result.report["options"]["charts"] == (charts == "auto" ? json("auto") : json(5)));
+    CHECK(result.report["distortion"]["stretch_l2"] < 2);
+    CHECK(result.report["mesh"]["uv_flips"] == 0);
+    const Ply mesh = parse_ply(result.mesh);
+    REQUIRE(mesh.texcoord.size() == mesh.faces.size());
+    for (const auto& corners : mesh.texcoord) {
+      for (const double value : corners) CHECK((value >= 0 && value <= 1));
+    }
+  }
+  const Finished refused =
+      rimline::test::rimline({"reconstruct", input, "-o", folder / "m.ply", "--charts", "none"});
+  CHECK(refused.status == 1);
+}
+
+TEST_CASE("--texture-size bakes colours for OBJ and glTF, and says what it wants") {
+  const Folder folder;
+  std::string rows;
+  for (int y = 0; y < 20; ++y) {
+    for (int x = 0; x < 20; ++x) rows += fmt::format("{} {} 0 {} 0 {}\n", x, y, 12 * x, 12 * y);
+  }
+  const std::string input = folder / "sheet.ply";
+  write_file(
+      input,
+      "ply\nformat ascii 1.0\nelement vertex 400\nproperty double x\nproperty double y\nproperty double z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n" +
+          rows);
+  const auto run = [&](const std::string& mesh, std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"reconstruct", input, "-o", folder / mesh, "-q"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return rimline::test::rimline(arguments);
+  };
+  REQUIRE(run("m.obj", {"--texture-size", "64", "--domain", "free"}).status == 0);
+  CHECK(read_file(folder / "m.png").starts_with("\x89PNG"));
+  CHECK(read_file(folder / "m.mtl").find("map_Kd m.png") != std::string::npos);
+  REQUIRE(run("m.glb", {"--texture-size", "64", "--texture-property", "x", "--domain", "free"}).status == 1);
+  REQUIRE(run("m.glb", {"--texture-size", "64", "--texture-property", "red"}).status == 0);
+  CHECK(read_file(folder / "m.glb").find("\x89PNG") != std::string::npos);
+  CHECK(run("m.ply", {"--texture-size", "64"}).status == 1);
+  CHECK(run("m.obj", {"--texture-size", "0"}).status == 1);
+  CHECK(run("m.obj", {"--texture-size", "64", "--uv-scale", "real"}).status == 1);
+  CHECK(run("m.obj", {"--texture-property", "red"}).status == 1);
 }
