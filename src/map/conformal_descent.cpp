@@ -207,9 +207,14 @@ double conformal_distortion(Points points, const Triangulation& mesh, const std:
   return area > 0 ? sum / area : 1;
 }
 
+int most_descent_steps(std::size_t triangles) {
+  constexpr std::size_t work = 450'000, least = 5, most = 100;
+  return static_cast<int>(std::clamp(work / std::max<std::size_t>(1, triangles), least, most));
+}
+
 int relax_conformally(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
                       std::vector<UV>& uv, const Run& run) {
-  constexpr int most_steps = 100, look_back = 5;
+  constexpr int look_back = 5;
   constexpr double settled = 0.05;  // of the energy in excess of that without distortion
   constexpr double outside = 0.01;  // of the same, for what lies outside
   Descent descent(points, mesh, loops, uv);
@@ -218,6 +223,7 @@ int relax_conformally(Points points, const Triangulation& mesh, const std::vecto
     least += ConformalTriangle({points[t[0]], points[t[1]], points[t[2]]}).area();
   std::vector<double> excess{descent.energy() - least};
   if (!(least > 0) || !std::isfinite(excess.front())) return 0;
+  const int most_steps = most_descent_steps(mesh.triangles.size());
   int steps = 0;
   while (steps < most_steps) {
     run.check_cancel();

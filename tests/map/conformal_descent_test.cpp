@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -106,6 +107,17 @@ TEST_CASE("a map with a triangle turned over is left as it is") {
   const std::vector<UV> before = uv;
   CHECK(relax_conformally(strip.points, strip.mesh, strip.loops, uv, {}) == 0);
   CHECK(uv == before);
+}
+
+TEST_CASE("steps are fewer for larger meshes, so that their work is bounded") {
+  CHECK(most_descent_steps(0) == 100);
+  CHECK(most_descent_steps(4'000) == 100);
+  CHECK(most_descent_steps(78'000) == 5);
+  CHECK(most_descent_steps(10'000'000) == 5);
+  for (std::size_t n = 1'000; n < 200'000; n += 500) {
+    CHECK(most_descent_steps(n + 500) <= most_descent_steps(n));
+    CHECK(most_descent_steps(n) * n <= std::max<std::size_t>(450'000, 5 * n));
+  }
 }
 
 }  // namespace rimline
