@@ -12,6 +12,8 @@
 namespace rimline::bench {
 namespace {
 
+constexpr std::size_t topology_points = 5000;
+
 template <class Value>
 Value by_name(const std::vector<Value>& values, const std::string& wanted) {
   return *std::find_if(values.begin(), values.end(), [&](Value v) { return name(v) == wanted; });
@@ -80,11 +82,20 @@ std::vector<CaseName> analytic_cases(const AnalyticPlan& plan) {
   return cases;
 }
 
+std::vector<CaseName> closed_cases(const AnalyticPlan& plan) {
+  std::vector<CaseName> cases;
+  for (const double noise : plan.noises) {
+    for (const Shape shape : {Shape::ClosedSphere, Shape::TorusMinusCap, Shape::MoebiusStrip})
+      add_draws(cases, {"topology", name(shape), name(Sampling::BlueNoise), noise, topology_points, 0, 1},
+                plan);
+  }
+  return cases;
+}
+
 std::vector<CaseName> topology_cases(const AnalyticPlan& plan) {
-  constexpr std::size_t n = 5000;
   std::vector<CaseName> cases;
   for (const Shape shape : {Shape::Pipe, Shape::ClosedSphere, Shape::TorusMinusCap, Shape::MoebiusStrip}) {
-    add_draws(cases, {"topology", name(shape), name(Sampling::BlueNoise), 0, n, 0, 1}, plan);
+    add_draws(cases, {"topology", name(shape), name(Sampling::BlueNoise), 0, topology_points, 0, 1}, plan);
   }
   return cases;
 }

@@ -22,6 +22,8 @@ struct AnalyticPlan {
 std::vector<CaseName> analytic_cases(const AnalyticPlan& plan);
 // Three surfaces that are no disc and one, the pipe, that is an annulus: 5,000 points of blue noise.
 std::vector<CaseName> topology_cases(const AnalyticPlan& plan);
+// The three that are no disc, likewise, at the plan's noises.
+std::vector<CaseName> closed_cases(const AnalyticPlan& plan);
 
 // Whether the name has a shape that the mesh is measured on, as *sound* of docs/quality.md has it.
 std::shared_ptr<const TrueSurface> true_surface(const CaseName& name);

@@ -5,36 +5,29 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
+#include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
+#include <stdexcept>
 
 #include "base/parallel.h"
-#include "quality/hard_clouds.h"
 #include "quality/pages.h"
-#include "quality/ply_faces.h"
+#include "quality/questions.h"
 #include "quality/table.h"
 #include "quality/validity.h"
-#include "rimline/io.h"
 
 namespace {
 
 using namespace rimline::bench;
-namespace fs = std::filesystem;
 
 struct Settings {
   std::string data, methods = "default,co3ne,advancing-front,greedy-projection";
   std::uint64_t seed = 1;
-  std::size_t clouds = 1000, most_points = 50'000;
-  int jobs = 2;
+  std::size_t clouds = 1000, peer_clouds = 200, every = 1, most_points = 50'000;
+  int draws = 20, jobs = 2;
+  std::string markdown, commit = "unknown";
   bool faults = false;
-};
-
-// One file or cloud.
-struct Question {
-  std::string group, name, path;
-  std::uint64_t number = 0;  // of a hard cloud
 };
 
 // What came of one question.
@@ -45,49 +38,18 @@ struct Answer {
   double unused = 0;  // points in no triangle
 };
 
-// The point sets below the folders, truth meshes left out; a group a folder.
-std::vector<Question> files_of(const std::string& folders) {
-  std::vector<Question> questions;
-  std::istringstream names(folders);
-  for (std::string folder; std::getline(names, folder, ':');) {
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-      const std::string name = entry.path().filename().string();
-      const bool is_set =
-          name.ends_with(".xyz") || name.ends_with(".pcd") ||
-          (name.ends_with(".ply") && !name.ends_with(".truth.ply") && !name.ends_with(".flipped.ply"));
-      if (is_set) questions.push_back({fs::path(folder).filename().string(), name, entry.path().string()});
-    }
-  }
-  std::ranges::sort(questions, {}, &Question::path);
-  return questions;
-}
-
-Case case_of(const Settings& settings, const Question& question, bool& has_surface) {
-  Case c;
-  if (question.path.empty()) {
-    HardCloud cloud = hard_cloud(settings.seed, question.number);
-    has_surface = cloud.has_surface;
-    c.points = std::move(cloud.points);
-    return c;
-  }
-  has_surface = true;
-  c.points = rimline::read_cloud(question.path, {}).points;
-  const fs::path truth = fs::path(question.path).replace_extension(".truth.ply");
-  if (fs::exists(truth)) c.mesh = read_ply_faces(truth.string());
-  return c;
-}
-
-Answer ask(const Method& method, const Case& c, bool has_surface) {
-  const Outcome outcome = method.run(c, true);
+Answer ask(const Method& method, const Asked& asked) {
+  const Outcome outcome = method.run(asked.points, true);
+  const std::size_t points = asked.points.points.size();
   Answer answer;
   answer.refused = outcome.mesh.empty();
-  answer.fault = answer.refused ? outcome.error + outcome.mesh_error : fault_in(outcome, c.points.size());
-  answer.right = answer.refused ? !has_surface : answer.fault.empty();
-  answer.points = c.points.size();
+  answer.fault = answer.refused ? outcome.error + outcome.mesh_error : fault_in(outcome, points);
+  answer.right = answer.refused ? !asked.has_surface : answer.fault.empty();
+  answer.points = points;
+  answer.with_truth = asked.truth.has_value();
   if (answer.refused) return answer;
-  answer.unused = share_unused(outcome.mesh, c.points.size()) * static_cast<double>(c.points.size());
-  answer.with_truth = !c.mesh.empty();
-  answer.topology = answer.with_truth && topology_of(outcome.mesh) == topology_of(c.mesh);
+  answer.unused = share_unused(outcome.mesh, points) * static_cast<double>(points);
+  answer.topology = asked.truth && topology_of(outcome.mesh) == *asked.truth;
   return answer;
 }
 
@@ -136,39 +98,72 @@ std::vector<std::string> row_of(const std::string& group, const std::string& tit
           share(unused, static_cast<double>(points))};
 }
 
-void run(const Settings& settings) {
-  std::vector<Question> questions = files_of(settings.data);
-  for (std::uint64_t i = 0; i < settings.clouds; ++i)
-    questions.push_back(
-        {fmt::format("hard clouds, seed {}", settings.seed), fmt::format("cloud {}", i), "", i});
-  const std::vector<Method> methods = methods_of(settings);
-  std::vector<std::vector<Answer>> answers(questions.size());
+std::vector<Question> questions_of(const Settings& settings) {
+  std::vector<Question> questions = questions_of_files(settings.data);
+  for (Question& q : questions_of_clouds(settings.seed, settings.clouds)) questions.push_back(std::move(q));
+  for (Question& q : questions_of_shapes(settings.seed, settings.draws)) questions.push_back(std::move(q));
+  std::vector<Question> chosen;
+  for (std::size_t q = 0; q < questions.size(); q += settings.every)
+    chosen.push_back(std::move(questions[q]));
+  return chosen;
+}
+
+// Peers are asked about fewer of the clouds.
+bool is_asked(const Settings& settings, const Method& method, const Question& question) {
+  const bool is_cloud = question.path.empty() && question.sample.n == 0;
+  return method.is_default || !is_cloud || question.number < settings.peer_clouds;
+}
+
+// By question and method; none where it was not asked, or the question is no point set or too large.
+using Answers = std::vector<std::vector<std::optional<Answer>>>;
+
+Answers answer_all(const Settings& settings, const std::vector<Question>& questions,
+                   const std::vector<Method>& methods) {
+  Answers answers(questions.size(), std::vector<std::optional<Answer>>(methods.size()));
   rimline::Run pool;
   pool.threads = settings.jobs;
+  const auto answer = [&](std::size_t q) {
+    const Asked asked = ask_for(questions[q]);
+    if (asked.points.points.size() > settings.most_points) return;
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      if (is_asked(settings, methods[m], questions[q])) answers[q][m] = ask(methods[m], asked);
+    }
+  };
   rimline::parallel_slices(
       questions.size(), rimline::Stage::Measure, pool,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t q = begin; q < end; ++q) {
-          bool has_surface = false;
           try {
-            const Case c = case_of(settings, questions[q], has_surface);
-            if (c.points.size() > settings.most_points) continue;
-            for (const Method& method : methods) answers[q].push_back(ask(method, c, has_surface));
+            answer(q);
           } catch (const rimline::Error& error) {
             fmt::print(stderr, "{}: {}\n", questions[q].name, error.what());  // is no point set
           }
         }
       },
       1);
+  return answers;
+}
+
+void print_faults(const std::vector<Question>& questions, const std::vector<Method>& methods,
+                  const Answers& answers) {
+  for (std::size_t q = 0; q < questions.size(); ++q) {
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const std::optional<Answer>& a = answers[q][m];
+      if (!a || (a->right && (!a->with_truth || a->topology))) continue;
+      fmt::print("{} {} {}: {}\n", questions[q].group, questions[q].name, methods[m].id,
+                 a->right ? "topology" : a->fault);
+    }
+  }
+}
+
+std::string table_of(const std::vector<Question>& questions, const std::vector<Method>& methods,
+                     const Answers& answers) {
   std::map<std::string, std::vector<std::vector<Answer>>> groups;
   for (std::size_t q = 0; q < questions.size(); ++q) {
     auto& group = groups[questions[q].group];
     group.resize(methods.size());
-    for (std::size_t m = 0; m < answers[q].size(); ++m) {
-      group[m].push_back(answers[q][m]);
-      if (settings.faults && !answers[q][m].right)
-        fmt::print("{} {} {}: {}\n", questions[q].group, questions[q].name, methods[m].id,
-                   answers[q][m].fault);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      if (answers[q][m]) group[m].push_back(*answers[q][m]);
     }
   }
   Table table({"files", "method", "count", "valid", "invalid", "refused", "right", "topology right",
@@ -176,7 +171,35 @@ void run(const Settings& settings) {
   for (const auto& [group, by_method] : groups) {
     for (std::size_t m = 0; m < methods.size(); ++m) table.add(row_of(group, methods[m].title, by_method[m]));
   }
-  std::fputs(table.markdown().c_str(), stdout);
+  return table.markdown();
+}
+
+void write_page(const Settings& settings, const std::string& table) {
+  std::ofstream page(settings.markdown);
+  page << fmt::format(
+      "# Reliability\n\nHow often a mesh comes out, and is one, beside what people use today on the same "
+      "files. Written by\n"
+      "`bench/quality/reliability`; what the columns mean is in "
+      "[bench/README.md](../bench/README.md#reliability). Peers are "
+      "asked\nabout the first {} clouds alone; files of more than {} points are left out, and `--every` asks "
+      "about "
+      "one in so many.\n\n"
+      "| command | commit |\n|---|---|\n| `bench/quality/reliability --seed {} --clouds {} --draws {}` | {} "
+      "|\n\n",
+      settings.peer_clouds, settings.most_points, settings.seed, settings.clouds, settings.draws,
+      settings.every, settings.commit);
+  page << table;
+  if (!page.flush()) throw std::runtime_error(settings.markdown + ": can not be written");
+}
+
+void run(const Settings& settings) {
+  const std::vector<Question> questions = questions_of(settings);
+  const std::vector<Method> methods = methods_of(settings);
+  const Answers answers = answer_all(settings, questions, methods);
+  if (settings.faults) print_faults(questions, methods, answers);
+  const std::string table = table_of(questions, methods, answers);
+  std::fputs(table.c_str(), stdout);
+  if (!settings.markdown.empty()) write_page(settings, table);
 }
 
 }  // namespace
@@ -187,6 +210,14 @@ int main(int argc, char** argv) try {
   app.add_option("--data", settings.data, "folders of point sets, parted by ':'")->envname("RIMLINE_DATA");
   app.add_option("--seed", settings.seed, "of the hard clouds")->capture_default_str();
   app.add_option("--clouds", settings.clouds, "how many of them")->capture_default_str();
+  app.add_option("--peer-clouds", settings.peer_clouds, "of them for the peers")->capture_default_str();
+  app.add_option("--every", settings.every, "of files, clouds and shapes one in so many")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--draws", settings.draws, "of each shape that is no disc, at noise 0, 0.2 and 0.5")
+      ->capture_default_str();
+  app.add_option("--markdown", settings.markdown, "write the page");
+  app.add_option("--commit", settings.commit, "that the page names");
   app.add_option("--most-points", settings.most_points, "larger files are left out")->capture_default_str();
   app.add_option("--methods", settings.methods, "comma between them")->capture_default_str();
   app.add_option("--jobs", settings.jobs, "files at a time")->capture_default_str();

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
+#include "base/union_find.h"
 #include "quality/edge_set.h"
 #include "quality/fans.h"
-#include "base/union_find.h"
 
 namespace rimline::bench {
 namespace {
@@ -47,6 +49,28 @@ bool has_sound_uv(const Outcome& outcome) {
   return std::ranges::none_of(with, [&](Index c) { return without.contains(c); });
 }
 
+// Whether each component that can be oriented is: an edge of two triangles is run through both ways.
+bool faces_alike(const std::vector<Triangle>& mesh) {
+  std::map<std::pair<Index, Index>, std::pair<std::size_t, bool>> first;  // triangle at an edge, runs it up
+  UnionFind turned(2 * mesh.size());  // each triangle as it is, and turned
+  std::vector<std::size_t> against;   // triangles at edges run the same way
+  for (std::size_t t = 0; t < mesh.size(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      const Index a = mesh[t][c], b = mesh[t][(c + 1) % 3];
+      const auto [at, is_new] = first.emplace(std::minmax(a, b), std::pair(t, a < b));
+      if (is_new) continue;
+      const auto [other, up] = at->second;
+      const bool alike = up != (a < b);
+      if (!alike) against.push_back(t);
+      turned.join(t, alike ? other : other + mesh.size());
+      turned.join(t + mesh.size(), alike ? other + mesh.size() : other);
+    }
+  }
+  return std::ranges::all_of(against, [&](std::size_t t) {
+    return turned.find(t) == turned.find(t + mesh.size());  // one-sided
+  });
+}
+
 EdgeSet edges_of_loops(const LoopIds& loops) {
   std::vector<Edge> edges;
   for (const auto& loop : loops) {
@@ -64,6 +88,7 @@ std::string fault_in(const Outcome& outcome, std::size_t points) {
   const MeshEdges edges = edges_of_mesh(outcome.mesh);
   if (std::ranges::any_of(edges.triangles, [](int count) { return count > 2; })) return "edges";
   if (count_nonmanifold_vertices(outcome.mesh) > 0) return "fans";
+  if (outcome.has_loops && !faces_alike(outcome.mesh)) return "facing";
   if (outcome.has_loops && boundary_of(edges) != edges_of_loops(outcome.loops)) return "loops";
   if (!outcome.uv.empty() && !has_sound_uv(outcome)) return "uv";
   return "";

@@ -10,7 +10,8 @@
 namespace rimline::bench {
 
 // "", or the first rule that is broken: triangles of three different vertices, none twice, two at most at an
-// edge, one fan at a vertex; where loops came with it, open edges that are theirs; where uv came with it, of
+// edge, one fan at a vertex; where loops came with it, triangles that face alike where that can be, and open
+// edges that are the loops'; where uv came with it, of
 // each component for all of its triangles or for none, and none turned over.
 std::string fault_in(const Outcome& outcome, std::size_t points);
 
