@@ -2,6 +2,7 @@
 // What is measured: a way from points to a boundary, a mesh, or both.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,9 +19,10 @@ struct Outcome {
   LoopIds loops;
   std::vector<Index> boundary;  // ids of the boundary points, each once, where there are no loops
   std::vector<Triangle> mesh;
-  std::vector<UV> uv;
-  std::vector<float> probability;   // per point, or empty
-  std::vector<std::uint8_t> label;  // per point, or empty
+  std::vector<UV> uv;                        // per point, NaN where it has none or several
+  std::vector<std::array<UV, 3>> corner_uv;  // per triangle, or empty
+  std::vector<float> probability;            // per point, or empty
+  std::vector<std::uint8_t> label;           // per point, or empty
   double seconds = 0;
 };
 

@@ -23,6 +23,10 @@ Run one_thread() {
 }
 
 void take_mesh(ReconstructResult result, Outcome& outcome) {
+  for (std::size_t t = 0; !result.uv.empty() && t < result.triangles.size(); ++t) {
+    auto& corners = outcome.corner_uv.emplace_back();
+    for (int c = 0; c < 3; ++c) corners[c] = corner_uv(result.uv, result.seams, result.triangles, t, c);
+  }
   outcome.mesh = std::move(result.triangles);
   outcome.uv = std::move(result.uv);
   take_boundary(std::move(result.boundary), outcome);

@@ -40,8 +40,9 @@ std::vector<Index> components_of(const std::vector<Triangle>& mesh, std::size_t 
 bool has_sound_uv(const Outcome& outcome) {
   const std::vector<Index> component = components_of(outcome.mesh, outcome.uv.size());
   std::set<Index> with, without;
-  for (const Triangle& t : outcome.mesh) {
-    const UV a = outcome.uv[t[0]], b = outcome.uv[t[1]], c = outcome.uv[t[2]];
+  for (std::size_t k = 0; k < outcome.mesh.size(); ++k) {
+    const Triangle& t = outcome.mesh[k];
+    const auto [a, b, c] = outcome.corner_uv[k];
     const double area = (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
     (std::isnan(area) ? without : with).insert(component[t[0]]);
     if (area <= 0) return false;
@@ -90,7 +91,7 @@ std::string fault_in(const Outcome& outcome, std::size_t points) {
   if (count_nonmanifold_vertices(outcome.mesh) > 0) return "fans";
   if (outcome.has_loops && !faces_alike(outcome.mesh)) return "facing";
   if (outcome.has_loops && boundary_of(edges) != edges_of_loops(outcome.loops)) return "loops";
-  if (!outcome.uv.empty() && !has_sound_uv(outcome)) return "uv";
+  if (!outcome.corner_uv.empty() && !has_sound_uv(outcome)) return "uv";
   return "";
 }
 
