@@ -4,14 +4,13 @@
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <vector>
 
-#include "base/threads.h"
+#include "base/arena.h"
 #include "rimline/run.h"
 
 namespace rimline {
@@ -23,7 +22,7 @@ template <class Body>
 void parallel_slices(std::size_t count, Stage stage, const Run& run, const Body& body,
                      std::size_t grain = 1024) {
   const std::size_t batch = 256 * grain;  // items between two looks at progress and cancel
-  tbb::task_arena arena(thread_count(run));
+  Arena arena(run);
   for (std::size_t first = 0; first < count; first += batch) {
     run.progress(stage, first, count);
     const std::size_t last = std::min(count, first + batch);
@@ -40,7 +39,7 @@ void parallel_slices(std::size_t count, Stage stage, const Run& run, const Body&
 template <class Body>
 void parallel_tasks(std::size_t count, Stage stage, const Run& run, const Body& body) {
   run.progress(stage, 0, count);
-  tbb::task_arena arena(thread_count(run));
+  Arena arena(run);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
       if (!run.cancelled()) body(k);

@@ -62,14 +62,12 @@ void start_workers(int threads) {
 // The threads of this process, found out once.
 struct Usable {
   int count = tbb::info::default_concurrency();
-  bool all = true;                            // the system made as many as the machine has
-  std::unique_ptr<tbb::global_control> most;  // holds TBB to `count` where it did not
+  std::unique_ptr<tbb::global_control> most;  // holds TBB to `count` where the system makes no more
 
   Usable() {
     const int machine = std::max(1, count);
     count = 1 + makeable_threads(machine - 1);
-    all = count == machine;
-    if (!all) {
+    if (count < machine) {
       most = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                    static_cast<std::size_t>(count));
     }
@@ -82,8 +80,8 @@ struct Usable {
 int thread_count(const Run& run) {
   if (run.threads == 1) return 1;
   static const Usable usable;
-  if (run.threads <= 0) return usable.count;
-  return usable.all ? run.threads : std::min(run.threads, usable.count);
+  // More than the machine has would not be made either, and TBB would say so on standard error.
+  return run.threads <= 0 ? usable.count : std::min(run.threads, usable.count);
 }
 
 }  // namespace rimline

@@ -95,7 +95,7 @@ double length_of_boundary(Points points, const std::vector<Triangle>& triangles)
 
 ChartedMap map_by_charts(Points points, const std::vector<Triangle>& triangles, const ChartOptions& options,
                          const Run& run) {
-  tbb::task_arena arena(thread_count(run));
+  Arena arena(run);
   return arena.execute([&] {
     Atlas atlas(options, run);
     for (const OpenMesh& whole : without_handles(points, triangles)) {

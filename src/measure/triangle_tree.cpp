@@ -35,7 +35,7 @@ TriangleTree::TriangleTree(Points points, const std::vector<Triangle>& triangles
   resize_together(order_, triangles.size(), run);
   resize_together(nodes_, static_cast<std::size_t>(count_nodes(count)), run);
   resize_together(items, triangles.size(), run);
-  tbb::task_arena arena(thread_count(run));
+  Arena arena(run);
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<Index>(0, count, 4096), [&](const auto& range) {
       for (Index t = range.begin(); t < range.end(); ++t) {

@@ -112,7 +112,7 @@ ClosedPaths find_closed_paths(const Neighbours& neighbours, const BoundaryScores
   tbb::enumerable_thread_specific<ClosedPathSearcher> searchers([&] {
     return ClosedPathSearcher(neighbours, scores.candidate, options.path_k, options.path_threshold);
   });
-  tbb::task_arena arena(thread_count(run));
+  Arena arena(run);
   Shortlist shortlist(options.population);
   ClosedPaths result;
   std::vector<ClosedPath> found(batch);

@@ -192,7 +192,7 @@ std::vector<Component> mesh_any(const Whole& whole, const PatchInput& part, cons
 
 std::vector<Component> mesh_part(const Whole& whole, const PatchInput& part, const PartTriangles& survey,
                                  const RefineOptions& options, const Run& run) {
-  tbb::task_arena arena(thread_count(run));  // all that runs in parallel below keeps to the run's threads
+  Arena arena(run);  // all that runs in parallel below keeps to the run's threads
   return arena.execute([&] { return mesh_any(whole, part, survey, options, run); });
 }
 

@@ -161,7 +161,7 @@ Patch refine_patch(Points points, const Neighbours& neighbours, const Stars* sta
                    const std::vector<Loop>& loops, std::optional<Triangulation> first,
                    const RefineOptions& options, const Run& run) {
   check_simple(loops, points.size());
-  tbb::task_arena arena(thread_count(run));  // all that runs in parallel below keeps to the run's threads
+  Arena arena(run);  // all that runs in parallel below keeps to the run's threads
   return arena.execute([&] {
     std::vector<UV> uv = outline_on_circle(points, loops);
     const bool map_is_needed = !first || options.domain != Domain::None;
@@ -180,7 +180,7 @@ Patch finish_patch(Points points, const Neighbours& neighbours, const std::vecto
                    const Run& run) {
   RefineOptions without_map = options;
   without_map.domain = Domain::None;
-  tbb::task_arena arena(thread_count(run));
+  Arena arena(run);
   return arena.execute([&] {
     Refined refined;
     refined.mesh = triangulation_of(std::move(triangles), static_cast<Index>(points.size()));

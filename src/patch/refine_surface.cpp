@@ -62,7 +62,7 @@ std::vector<Meshed> mesh_all(const std::vector<PatchInput>& parts, const Mesh& m
   }
   Run alone = run.without_progress();  // which is for the thread that called
   alone.threads = 1;
-  tbb::task_arena arena(thread_count(run));
+  Arena arena(run);
   for (std::size_t first = 0; first < small.size(); first += batch) {
     run.progress(Stage::Refine, first, small.size());
     arena.execute([&] {

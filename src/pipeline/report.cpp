@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/parallel.h"
+#include "base/threads.h"
 #include "pipeline/score.h"
 
 namespace rimline::pipeline {

@@ -5,7 +5,6 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/parallel_reduce.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <bit>
 #include <cstdint>
@@ -166,7 +165,7 @@ std::vector<KdTree::Cell> KdTree::make_cells(int leaf) {
 KdTree::KdTree(Points points, int leaf, const Run& run)
     : x(points.size()), y(points.size()), z(points.size()), id(points.size()) {
   nodes_.push_back({{}, 0, static_cast<std::uint32_t>(size()), 0});
-  tbb::task_arena(thread_count(run)).execute([&] {
+  Arena(run).execute([&] {
     if (size() > most_in_cell) split_along_curve(points);
     const std::size_t upper = nodes_.size();
     const std::vector<Cell> cells = make_cells(leaf);

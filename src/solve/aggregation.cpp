@@ -69,7 +69,7 @@ struct AggregationMultigrid::Coarsest {
 
 AggregationMultigrid::AggregationMultigrid(RowMatrix matrix, const Run& run)
     : coarsest_(std::make_unique<Coarsest>()), run_(run) {
-  tbb::task_arena arena(thread_count(run));
+  Arena arena(run);
   arena.execute([&] {
     row_scale_ = balancing_rows(matrix, run);
     scale_rows(matrix, row_scale_);
@@ -266,7 +266,7 @@ ConvexSolve solve(AggregationMultigrid& multigrid, const std::vector<double>& sc
                   double tolerance, int max_iterations, std::vector<UV>& x, const Run& run) {
   constexpr double stalled = 0.9;  // of the residual at the last restart: more steps would gain nothing
   ConvexSolve result;
-  tbb::task_arena arena(thread_count(run));
+  Arena arena(run);
   arena.execute([&] {
     ConjugateResiduals method(multigrid, scale, b, x);
     double before = method.residual();

@@ -47,7 +47,7 @@ bool is_strong(const SymmetricMatrix& a, Index i, Index e, double threshold) {
 Multigrid::Multigrid(SymmetricMatrix matrix, const Run& run) : run_(run) {
   levels_.emplace_back();
   levels_.back().matrix = std::move(matrix);
-  tbb::task_arena arena(thread_count(run));
+  Arena arena(run);
   arena.execute([&] {
     while (coarsen()) run_.check_cancel();
   });
@@ -320,7 +320,7 @@ SolveResult solve(Multigrid& multigrid, const std::vector<UV>& b, double toleran
     return std::sqrt(std::max(ratio.u, ratio.v));
   };
   SolveResult result;
-  tbb::task_arena arena(thread_count(run));
+  Arena arena(run);
   arena.execute([&] {
     compute_residual(a, b.data(), x.data(), r.data());
     UV rr = sum_of(n, [&](Index i) { return product(r[i], r[i]); });

@@ -2,7 +2,6 @@
 #include "surface/propose.h"
 
 #include <oneapi/tbb/parallel_sort.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -177,7 +176,7 @@ class Proposer {
   }
 
   void take_fitting(std::vector<Proposal> rest, const Run& run) {
-    tbb::task_arena(thread_count(run)).execute([&] {
+    Arena(run).execute([&] {
       tbb::parallel_sort(
           rest.begin(), rest.end(), [is_before = TriangleOrder(set_.points())](const auto& x, const auto& y) {
             return x.rank() != y.rank() ? x.rank() < y.rank() : is_before(x.triangle, y.triangle);

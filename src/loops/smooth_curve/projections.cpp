@@ -2,7 +2,6 @@
 #include "loops/smooth_curve/projections.h"
 
 #include <oneapi/tbb/parallel_sort.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <bit>
@@ -180,7 +179,7 @@ std::vector<std::pair<double, Offset>> offsets_behind(const RimCurve& curve,
 }
 
 std::vector<Projection> from_outermost(std::vector<Projection> projections, const Run& run) {
-  tbb::task_arena(thread_count(run)).execute([&] {
+  Arena(run).execute([&] {
     tbb::parallel_sort(projections.begin(), projections.end(), [](const Projection& a, const Projection& b) {
       return std::tie(b.out, a.point) < std::tie(a.out, b.point);
     });
