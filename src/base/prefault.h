@@ -28,6 +28,7 @@ void resize_together(std::vector<T>& items, std::size_t count, const Run& run, s
       });
     });
   }
+  run.check_cancel();
   items.resize(count);
 }
 

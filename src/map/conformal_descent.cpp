@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map/conformal_descent.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "map/conformal_energy.h"
 #include "mesh/constrained_delaunay.h"
+#include "solve/ldl.h"
 #include "solve/sparse.h"
 
 namespace rimline {
@@ -87,10 +87,10 @@ class Descent {
   }
 
   // Moves the vertices so that the energy falls. False where no such step was found.
-  bool step() {
+  bool step(const Run& run) {
     constexpr double enough = 1e-4;  // of what the slope promises
     constexpr int halvings = 30;
-    if (!find_direction()) return false;
+    if (!find_direction(run)) return false;
     const double slope = gradient_.dot(direction_), before = energy(uv_, triangles_.size());
     if (!(slope < 0)) return false;
     double t = std::min(1.0, 0.9 * longest_step());
@@ -140,7 +140,7 @@ class Descent {
     return sum;
   }
 
-  bool find_direction() {
+  bool find_direction(const Run& run) {
     const Index n = 2 * points_;
     gradient_ = Eigen::VectorXd::Zero(n);
     entries_.clear();
@@ -165,8 +165,8 @@ class Descent {
       double& d = lower.coeffRef(i, i);
       d = std::max(d * (1 + little), 1e-300);
     }
-    const Eigen::SimplicialLDLT<Matrix> factor(lower);
-    if (factor.info() != Eigen::Success) return false;
+    const LdlFactor factor(lower, run);
+    if (!factor.is_regular()) return false;
     direction_ = factor.solve(-gradient_);
     return direction_.allFinite();
   }
@@ -227,7 +227,7 @@ int relax_conformally(Points points, const Triangulation& mesh, const std::vecto
   int steps = 0;
   while (steps < most_steps) {
     run.check_cancel();
-    if (!descent.surround(outside * excess.back()) || !descent.step()) break;
+    if (!descent.surround(outside * excess.back()) || !descent.step(run)) break;
     ++steps;
     excess.push_back(descent.energy() - least);
     if (steps >= look_back && excess.back() > (1 - settled) * excess[steps - look_back]) break;

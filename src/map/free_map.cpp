@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map/free_map.h"
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "base/vec.h"
+#include "solve/ldl.h"
 
 namespace rimline {
 namespace {
@@ -39,13 +40,14 @@ class ConformalSystem {
     }
   }
 
-  MapSummary solve(double least, std::vector<UV>& uv) {
+  MapSummary solve(double least, std::vector<UV>& uv, const Run& run) {
     right_ = Eigen::VectorXd::Zero(count_);
     add_triangles(least);
+    run.check_cancel();
     Matrix lower(count_, count_);
     lower.setFromTriplets(entries_.begin(), entries_.end());
-    const Eigen::SimplicialLDLT<Matrix> factor(lower);
-    if (factor.info() != Eigen::Success)
+    const LdlFactor factor(lower, run);
+    if (!factor.is_regular())
       throw Error(ErrorCode::NoConvergence, "the system of the free map could not be factorized");
     Eigen::VectorXd x = factor.solve(right_);
     x += factor.solve(right_ - lower.selfadjointView<Eigen::Lower>() * x);  // once refined
@@ -135,7 +137,7 @@ double area_of(const Triangulation& mesh, const std::vector<UV>& uv) {
 MapSummary free_map(Points points, const Triangulation& mesh, const std::vector<Index>& outer_loop,
                     double least, std::vector<UV>& uv, const Run& run) {
   run.check_cancel();
-  return ConformalSystem(points, mesh, outer_loop).solve(least, uv);
+  return ConformalSystem(points, mesh, outer_loop).solve(least, uv, run);
 }
 
 void scale_to_area(Points points, const Triangulation& mesh, std::vector<UV>& uv) {

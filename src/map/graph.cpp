@@ -3,18 +3,20 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <string>
 #include <utility>
 
+#include "solve/ldl.h"
 #include "solve/multigrid.h"
 
 namespace rimline {
 namespace {
 
 // For systems on which the multigrid stalls.
-void solve_directly(const SymmetricMatrix& a, const std::vector<UV>& right, std::vector<UV>& x) {
+void solve_directly(const SymmetricMatrix& a, const std::vector<UV>& right, std::vector<UV>& x,
+                    const Run& run) {
   std::vector<Eigen::Triplet<double>> entries;
   for (Index i = 0; i < a.size(); ++i) {
     entries.emplace_back(i, i, a.diagonal[i]);
@@ -24,11 +26,16 @@ void solve_directly(const SymmetricMatrix& a, const std::vector<UV>& right, std:
   }
   Eigen::SparseMatrix<double> lower(a.size(), a.size());
   lower.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(lower);
-  Eigen::MatrixX2d b(a.size(), 2);
-  for (Index i = 0; i < a.size(); ++i) b.row(i) << right[i].u, right[i].v;
-  const Eigen::MatrixX2d solution = factor.solve(b);
-  for (Index i = 0; i < a.size(); ++i) x[i] = {solution(i, 0), solution(i, 1)};
+  const LdlFactor factor(lower, run);
+  if (!factor.is_regular()) return;
+  Eigen::VectorXd u(a.size()), v(a.size());
+  for (Index i = 0; i < a.size(); ++i) {
+    u[i] = right[i].u;
+    v[i] = right[i].v;
+  }
+  u = factor.solve(u);
+  v = factor.solve(v);
+  for (Index i = 0; i < a.size(); ++i) x[i] = {u[i], v[i]};
 }
 
 struct HalfEdge {
@@ -177,7 +184,7 @@ MapSummary solve_system(MapSystem system, double tolerance, std::vector<UV>& uv,
   summary.residual = solved.residual;
   constexpr double stalled = 1e-9;  // far above what rounding explains
   if (solved.residual > std::max(tolerance, stalled)) {
-    solve_directly(multigrid.matrix(), system.right, x);
+    solve_directly(multigrid.matrix(), system.right, x, run);
     summary.iterations = 0;
     summary.residual = solve(multigrid, system.right, tolerance, 0, x, run).residual;
   }

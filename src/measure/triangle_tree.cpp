@@ -44,8 +44,10 @@ TriangleTree::TriangleTree(Points points, const std::vector<Triangle>& triangles
         for (int i = 0; i < 3; ++i) items[t].place[i] = box.low[i] + box.high[i];
       }
     });
+    run.check_cancel();
     build(items, 0, 0, count);
   });
+  run.check_cancel();
 }
 
 // The halves of all trees of one depth have one of two sizes, so there are few to remember.

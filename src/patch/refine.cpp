@@ -163,6 +163,7 @@ Patch refine_patch(Points points, const Neighbours& neighbours, const Stars* sta
   check_simple(loops, points.size());
   Arena arena(run);  // all that runs in parallel below keeps to the run's threads
   return arena.execute([&] {
+    run.check_cancel();
     std::vector<UV> uv = outline_on_circle(points, loops);
     const bool map_is_needed = !first || options.domain != Domain::None;
     if (!first) first = first_of_stars(points, neighbours, stars, loops, uv, run);

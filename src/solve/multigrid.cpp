@@ -77,8 +77,11 @@ bool Multigrid::coarsen() {
   Index coarse_size = 0;
   const std::vector<Index> aggregates = aggregate(fine.matrix, threshold, coarse_size);
   if (coarse_size == 0 || coarse_size > 0.8 * n) return false;
+  run_.check_cancel();
   fine.up = smooth(fine.matrix, aggregates, threshold);
+  run_.check_cancel();
   fine.down = transpose(fine.up, coarse_size);
+  run_.check_cancel();
   SymmetricMatrix coarse = galerkin(fine, coarse_size);
   levels_.emplace_back();  // invalidates `fine`
   levels_.back().matrix = std::move(coarse);
@@ -113,6 +116,7 @@ std::vector<Index> Multigrid::aggregate(const SymmetricMatrix& a, double thresho
       free = !strong_entry[e] || aggregates[a.columns[e]] == open;
     if (free) claim(i);
   }
+  run_.check_cancel();
   const std::vector<Index> first = aggregates;
   for_each_row(a.size(), [&](Index i) {
     double strongest = 0;
@@ -323,6 +327,7 @@ SolveResult solve(Multigrid& multigrid, const std::vector<UV>& b, double toleran
   Arena arena(run);
   arena.execute([&] {
     compute_residual(a, b.data(), x.data(), r.data());
+    run.check_cancel();
     UV rr = sum_of(n, [&](Index i) { return product(r[i], r[i]); });
     UV rz;
     while (relative(rr) > tolerance && result.iterations < max_iterations) {

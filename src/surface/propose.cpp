@@ -70,6 +70,7 @@ struct Row {
 };
 
 constexpr std::size_t points_in_row = 4096;  // [speed]
+constexpr std::size_t tries_per_look = 65536;  // triangles between two looks at the stop flag [speed]
 
 // What all stars name, read in two rounds: of most triangles all corners have them in their stars, which the
 // corner of least id finds out for all three. So the second round need not ask again.
@@ -182,7 +183,9 @@ class Proposer {
             return x.rank() != y.rank() ? x.rank() < y.rank() : is_before(x.triangle, y.triangle);
           });
     });
-    for (const Proposal& p : rest) {
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      if (i % tries_per_look == 0) run.check_cancel();
+      const Proposal& p = rest[i];
       if (set_.can_add(p.triangle)) set_.add(p.triangle);
     }
   }
@@ -193,7 +196,8 @@ class Proposer {
           if (set_.is_at_rim(t)) found.push_back(t);
         });
     for (const Index t : at_rim) offer_at(t);
-    while (!queue_.empty()) {
+    for (std::size_t looks = 0; !queue_.empty(); ++looks) {
+      if (looks % tries_per_look == 0) run.check_cancel();
       const Triangle triangle = queue_.top().second;
       queue_.pop();
       if (!set_.can_add(triangle)) continue;

@@ -15,9 +15,8 @@ using Selection = std::vector<std::uint8_t>;
 // The selected triangle at an edge, the first of two; or none.
 Index selected_triangle(const TriangleSet& set, const Selection& selected, Index a, Index b);
 
-// Three selected triangles' worth of walking around a vertex: the fan that holds triangle t, from t's edge
-// (vertex, from) to its far end. Returns the last triangle; `end` is the vertex of its free edge, or `from`
-// again where the fan closes.
+// Walks the fan around a vertex, over selected triangles, from the edge (vertex, from) of triangle t to its
+// other end. Returns the last triangle; `end` is the vertex at its free edge, or `from` where the fan closes.
 Index walk_fan(const TriangleSet& set, const Selection& selected, Index vertex, Index t, Index from,
                Index& end);
 
