@@ -2,7 +2,6 @@
 """Files in and out: every format that the tool has."""
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass, field
 from typing import Any, Optional, Union
 
@@ -10,7 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import as_doubles, as_places, as_triangles
+from ._arguments import as_path, as_whole
+from ._arrays import MOST_POINTS, as_doubles, as_places, as_triangles
 from ._docs import documented
 from ._errors import Error
 from ._loops import Loop, as_loops
@@ -78,20 +78,20 @@ def _file_column(name: str, values: npt.NDArray[Any]) -> npt.NDArray[Any]:
 @documented
 def read_cloud(path: PathLike, *, memory_limit: int = 0, progress: ProgressLike = None) -> Cloud:
     with Run(memory_limit=memory_limit, progress=progress) as run:
-        points, columns, form = _core.read_cloud(os.fspath(path), run)
+        points, columns, form = _core.read_cloud(as_path(path), run)
     return Cloud(points, columns, form)
 
 
 @documented
 def read_mesh(path: PathLike, *, memory_limit: int = 0, progress: ProgressLike = None) -> Mesh:
     with Run(memory_limit=memory_limit, progress=progress) as run:
-        (points, columns, form), faces = _core.read_mesh(os.fspath(path), run)
+        (points, columns, form), faces = _core.read_mesh(as_path(path), run)
     return Mesh(points, columns, form, faces)
 
 
 @documented
 def read_loops(path: PathLike, point_count: int) -> list[Loop]:
-    loops: list[Loop] = _core.read_loops(os.fspath(path), point_count)
+    loops: list[Loop] = _core.read_loops(as_path(path), as_whole("point_count", point_count, MOST_POINTS))
     return loops
 
 
@@ -101,7 +101,7 @@ def _parts(cloud: Union[Cloud, PointsLike]) -> tuple[Places, dict[str, npt.NDArr
 
 @documented
 def write_cloud(path: PathLike, cloud: Union[Cloud, PointsLike]) -> None:
-    name = os.fspath(path)
+    name = as_path(path)
     if not name.lower().endswith(".ply"):
         raise Error(f"'{name}': points are written as .ply", _core.ErrorCode.BadOption)
     places, columns = _parts(cloud)
@@ -115,13 +115,13 @@ def write_mesh(path: PathLike, cloud: Union[Cloud, PointsLike], triangles: npt.A
     ids = as_triangles(triangles)
     with Run() as run:
         single = places.dtype == np.float32
-        _core.write_mesh(os.fspath(path), as_doubles(places), single, columns, ids, {}, {}, run)
+        _core.write_mesh(as_path(path), as_doubles(places), single, columns, ids, {}, {}, run)
 
 
 @documented
 def write_loops(path: PathLike, loops: LoopsLike, points: PointsLike) -> None:
     with Run() as run:
-        _core.write_loops(os.fspath(path), as_loops(loops), as_doubles(points), run)
+        _core.write_loops(as_path(path), as_loops(loops), as_doubles(points), run)
 
 
 @documented

@@ -7,11 +7,13 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from . import _core
+from ._arguments import as_ids_of_corners, as_text, as_vector
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 FIELDS: dict[str, dict[str, Any]] = {field["name"]: field for field in _core.fields()}
-OTHERS = ("up", "holes", "corners")  # which visit_fields leaves out
+# Those that visit_fields leaves out, with what makes a value of an argument.
+OTHERS: dict[str, Callable[[str, Any], Any]] = {"up": as_vector, "holes": as_text, "corners": as_ids_of_corners}
 
 
 def takes_options(*groups: str) -> Callable[[Function], Function]:
@@ -42,7 +44,10 @@ def chosen(function: Callable[..., Any], preset: str, given: dict[str, Any]) -> 
     for name in given:
         if name not in known:
             raise TypeError(f"{function.__name__}() has no option {name!r}; rimline.options() lists all")
-    return _core.options(preset, {name: value for name, value in given.items() if value is not None})
+    values = {name: value for name, value in given.items() if value is not None}
+    for name in values.keys() & OTHERS.keys():
+        values[name] = OTHERS[name](name, values[name])
+    return _core.options(as_text("preset", preset), values)
 
 
 def options(preset: str = "default") -> dict[str, Any]:
@@ -63,6 +68,6 @@ def options(preset: str = "default") -> dict[str, Any]:
     Error
         BadOption, where there is no such preset.
     """
-    _core.options(preset, {})
+    _core.options(as_text("preset", preset), {})
     values: dict[str, Any] = _core.presets()[preset]
     return values

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any, Optional
 
 from . import _core
-from ._errors import Error
+from ._arguments import as_whole
 from .typing import ProgressLike
 
 MOST_THREADS = 1024
@@ -50,9 +50,9 @@ class Run:
     def __init__(
         self, seed: int = 1, threads: int = 0, memory_limit: int = 0, progress: ProgressLike = None
     ) -> None:
-        _check("seed", seed, 2**64 - 1)
-        _check("threads", threads, MOST_THREADS)
-        _check("memory_limit", memory_limit, 2**63 - 1)
+        seed = as_whole("seed", seed, 2**64 - 1)
+        threads = as_whole("threads", threads, MOST_THREADS)
+        memory_limit = as_whole("memory_limit", memory_limit, 2**63 - 1)
         self._bar: Optional[Bar] = None
         hear: Optional[Callable[[str, int, int], Optional[bool]]] = None
         if progress is True:
@@ -69,8 +69,3 @@ class Run:
     def __exit__(self, *_: object) -> None:
         if self._bar is not None:
             self._bar.close()
-
-
-def _check(name: str, value: int, most: int) -> None:
-    if not 0 <= value <= most:
-        raise Error(f"{name} is {value}; it must lie between 0 and {most}", _core.ErrorCode.BadOption)

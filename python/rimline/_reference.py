@@ -7,6 +7,7 @@ from typing import Any, Union
 
 import numpy.typing as npt
 
+from ._arguments import as_path
 from ._arrays import Doubles, as_doubles, as_triangles
 from ._files import read_mesh
 from .typing import PathLike, Triangles
@@ -19,10 +20,12 @@ def as_reference(reference: ReferenceLike) -> tuple[str, Doubles, Triangles]:
     """Its name, vertices and faces."""
     name = "reference"
     if isinstance(reference, (str, os.PathLike)):
-        name = os.fspath(reference)
+        name = as_path(reference)
         reference = read_mesh(reference)
-    if isinstance(reference, tuple):
+    if isinstance(reference, tuple) and len(reference) == 2:
         vertices, faces = reference
-    else:
+    elif hasattr(reference, "vertices") and hasattr(reference, "faces"):
         vertices, faces = reference.vertices, reference.faces
+    else:
+        raise TypeError("reference must be a file, (vertices, faces), or what has both")
     return name, as_doubles(vertices, "vertices of the reference"), as_triangles(faces, "faces of the reference")

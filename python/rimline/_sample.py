@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import _core
+from ._arguments import as_whole
+from ._arrays import MOST_POINTS
 from ._docs import documented
 from ._loops import Loop
 from ._progress import Run
@@ -22,7 +24,8 @@ class Sample:
     loops: list[Loop]
 
     def __repr__(self) -> str:
-        return f"<rimline.Sample: {len(self.points):,} points, {len(self.loops)} true loops>"
+        loops = f"{len(self.loops)} true loop{'' if len(self.loops) == 1 else 's'}"
+        return f"<rimline.Sample: {len(self.points):,} points, {loops}>"
 
 
 @documented
@@ -37,7 +40,7 @@ def sample(
     progress: ProgressLike = None,
 ) -> Sample:
     with Run(seed, threads, 0, progress) as run:
-        points, boundary, near, loops = _core.sample(shape, n, sampling, noise, run)
+        points, boundary, near, loops = _core.sample(shape, as_whole("n", n, MOST_POINTS), sampling, noise, run)
     return Sample(points, boundary.view(np.bool_), near.view(np.bool_), loops)
 
 

@@ -2,13 +2,13 @@
 """Files of results, with the columns that the tool writes (cli/columns.cpp)."""
 from __future__ import annotations
 
-import os
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._arguments import as_path
 from ._arrays import as_doubles
 from ._files import file_columns
 from ._progress import Run
@@ -72,7 +72,7 @@ def _seams(result: ReconstructResult) -> Columns:
 
 def save_boundary(result: BoundaryResult, path: PathLike) -> None:
     """.ply: the points; else the loops."""
-    name = os.fspath(path)
+    name = as_path(path)
     with Run() as run:
         if name.lower().endswith(".ply"):
             columns = file_columns({**result.columns, **_boundary_columns(result)})
@@ -84,7 +84,7 @@ def save_boundary(result: BoundaryResult, path: PathLike) -> None:
 
 def save_mesh(result: ReconstructResult, path: PathLike) -> None:
     """The mesh or, by an ending that meshes have not, the loops."""
-    name = os.fspath(path)
+    name = as_path(path)
     if not name.lower().endswith(tuple("." + ending for ending in _core.mesh_endings())):
         save_boundary(result, path)
         return

@@ -9,7 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import as_doubles, as_ids, as_numbers, as_rows, as_triangles
+from ._arguments import as_whole
+from ._arrays import MOST_POINTS, as_doubles, as_ids, as_numbers, as_rows, as_triangles
 from ._core import Arrangement, BoundaryScores, BoundaryLoops, DiscMap, GeneticLoop, Neighbours, Patch, Surface
 from ._docs import documented
 from ._loops import as_loops
@@ -33,7 +34,7 @@ def leave_out_stray(
     arrangement: Arrangement, neighbours: Neighbours, *, least_group: int = 10, threads: int = 0
 ) -> Arrangement:
     with Run(1, threads) as run:
-        return _core.leave_out_stray(arrangement, neighbours, least_group, run)
+        return _core.leave_out_stray(arrangement, neighbours, as_whole("least_group", least_group, MOST_POINTS), run)
 
 
 @documented
@@ -41,7 +42,7 @@ def find_neighbours(
     points: PointsLike, k: int, *, threads: int = 0, progress: ProgressLike = None
 ) -> Neighbours:
     with Run(1, threads, 0, progress) as run:
-        return _core.find_neighbours(as_doubles(points), k, run)
+        return _core.find_neighbours(as_doubles(points), as_whole("k", k, MOST_POINTS), run)
 
 
 @documented
@@ -289,4 +290,4 @@ def surface_distance(
 @documented
 @takes_options()
 def estimate_memory(points: int, *, preset: str = "default", **options: Any) -> dict[str, int]:
-    return _core.estimate_memory(points, chosen(estimate_memory, preset, options))
+    return _core.estimate_memory(as_whole("points", points, MOST_POINTS), chosen(estimate_memory, preset, options))

@@ -2,6 +2,9 @@
 // The stages up to the loops, each alone.
 #include <nanobind/stl/string.h>
 
+#include <algorithm>
+#include <string>
+
 #include "arrays.h"
 #include "call.h"
 #include "checks.h"
@@ -12,6 +15,7 @@
 #include "rimline/arrange.h"
 #include "rimline/boundary_loops.h"
 #include "rimline/find_genetic_loop.h"
+#include "story.h"
 
 namespace rimline::python {
 namespace {
@@ -99,8 +103,36 @@ double loop_length_of(const PointRows& points, const List<Index>& loop) {
   return loop_length(as_points(points), as_span(loop));
 }
 
+std::string story_of(const Arrangement& a) {
+  return story("Arrangement", counted(a.points.size(), "point"),
+               fmt::format("{} left out", a.not_finite.size() + a.duplicates.size() + a.stray.size()));
+}
+
+std::string story_of(const Neighbours& n) {
+  return story("Neighbours", fmt::format("{} of each of {}", n.k, counted(n.size(), "point")));
+}
+
+std::string story_of(const BoundaryScores& s) {
+  return story("BoundaryScores", counted(s.log_score.size(), "point"),
+               counted(static_cast<std::size_t>(std::ranges::count(s.candidate, 1)), "candidate"));
+}
+
+std::string story_of(const BoundaryLoops& b) {
+  return story("BoundaryLoops", counted(b.loops.size(), "loop"), counted(b.triangles.size(), "triangle"));
+}
+
+std::string story_of(const GeneticLoop& g) {
+  return story("GeneticLoop", counted(g.loop.points.size(), "point"));
+}
+
+template <class Stage>
+std::string repr(const Stage& stage) {
+  return story_of(stage);
+}
+
 void add_types(nb::module_& m) {
   nb::class_<Arrangement>(m, "Arrangement")
+      .def("__repr__", &repr<Arrangement>)
       .def_prop_ro("points", &Member<&Arrangement::points>::view)
       .def_prop_ro("ids", &Member<&Arrangement::ids>::view)
       .def_prop_ro(
@@ -109,12 +141,17 @@ void add_types(nb::module_& m) {
       .def_prop_ro("not_finite", &Member<&Arrangement::not_finite>::view)
       .def_prop_ro("duplicates", &Member<&Arrangement::duplicates>::view)
       .def_prop_ro("stray", &Member<&Arrangement::stray>::view);
-  nb::class_<Neighbours>(m, "Neighbours").def_ro("k", &Neighbours::k).def_prop_ro("ids", &ids_of);
+  nb::class_<Neighbours>(m, "Neighbours")
+      .def("__repr__", &repr<Neighbours>)
+      .def_ro("k", &Neighbours::k)
+      .def_prop_ro("ids", &ids_of);
   nb::class_<BoundaryScores>(m, "BoundaryScores")
+      .def("__repr__", &repr<BoundaryScores>)
       .def_prop_ro("log_score", &Member<&BoundaryScores::log_score>::view)
       .def_prop_ro("candidate", &Member<&BoundaryScores::candidate>::view)
       .def_prop_ro("delta", &Member<&BoundaryScores::delta>::view);
   nb::class_<BoundaryLoops>(m, "BoundaryLoops")
+      .def("__repr__", &repr<BoundaryLoops>)
       .def_prop_ro(
           "loops", [](const BoundaryLoops& b) { return loops_to_python(b.loops); },
           nb::sig("def loops(self) -> list[rimline._loops.Loop]"))
@@ -123,6 +160,7 @@ void add_types(nb::module_& m) {
       .def_prop_ro("triangles", &Member<&BoundaryLoops::triangles>::view)
       .def_ro("range_scan", &BoundaryLoops::range_scan);
   nb::class_<GeneticLoop>(m, "GeneticLoop")
+      .def("__repr__", &repr<GeneticLoop>)
       .def_prop_ro(
           "loop", [](const GeneticLoop& g) { return nb::object(loops_to_python({g.loop})[0]); },
           nb::sig("def loop(self) -> rimline._loops.Loop"))

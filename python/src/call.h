@@ -6,7 +6,12 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
 
 #include "rimline/run.h"
 
@@ -22,44 +27,45 @@ struct RunArguments {
   nb::object progress;  // None or a callable (stage, done, total); False from it cancels
 };
 
-// Listens while the library works. What Python raises meanwhile is kept, and the library is told to stop.
+// Has the library work on another thread and listens on the one that called: Python's signals come to that
+// one alone, and it hears them whatever the library is at. What Python raises meanwhile is kept, and the
+// library is told to stop.
 class Listener {
  public:
   explicit Listener(const RunArguments& arguments);
   const Run& run() const { return run_; }
-  // Raises what made the library stop, if anything did.
-  void rethrow() const {
-    if (raised_) std::rethrow_exception(raised_);
-  }
+  // Throws what `work` threw, or what `progress` or a signal handler raised; Error{Cancelled} if `progress`
+  // said no.
+  void listen(const std::function<void()>& work);
 
  private:
-  void hear(Progress progress);
-  void ask(Progress progress);
+  void tell(Progress progress);
+  void wait_for_worker();
+  void ask(std::optional<Progress> progress);
 
   nb::object progress_;
+  bool is_heard_;  // there is somebody to tell
   std::atomic<bool> stop_{false};
-  std::exception_ptr raised_;
-  Stage stage_ = Stage::Read;
-  bool asked_ = false;
-  std::chrono::steady_clock::time_point last_;
+  std::exception_ptr raised_, failure_;
   Run run_;
+  std::thread::id caller_ = std::this_thread::get_id();
+  // Of the thread that works.
+  std::optional<Stage> stage_;
+  std::chrono::steady_clock::time_point last_;
+  // Between the two threads.
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<Progress> told_;  // until Python has heard of it
+  bool is_done_ = false;
 };
 
-// work(run) without the interpreter's lock. Throws what `progress` or a signal handler raised.
+// work(run) without the interpreter's lock.
 template <class Work>
 auto call(const RunArguments& arguments, const Work& work) {
   Listener listener(arguments);
-  try {
-    auto result = [&] {
-      const nb::gil_scoped_release released;
-      return work(listener.run());
-    }();
-    listener.rethrow();  // raised too late for the library to hear of it
-    return result;
-  } catch (const Error&) {
-    listener.rethrow();
-    throw;
-  }
+  std::optional<decltype(work(listener.run()))> result;
+  listener.listen([&] { result.emplace(work(listener.run())); });
+  return std::move(*result);
 }
 
 }  // namespace rimline::python

@@ -3,6 +3,7 @@
 #include <nanobind/stl/string.h>
 
 #include <cmath>
+#include <string>
 
 #include "arrays.h"
 #include "call.h"
@@ -13,6 +14,7 @@
 #include "rimline/delaunay.h"
 #include "rimline/map_to_disc.h"
 #include "rimline/refine_surface.h"
+#include "story.h"
 
 namespace rimline::python {
 namespace {
@@ -91,9 +93,15 @@ void add_mesh_stages(nb::module_& m) {
       .def_ro("iterations", &MapSummary::iterations)
       .def_ro("residual", &MapSummary::residual);
   nb::class_<DiscMap>(m, "DiscMap")
+      .def("__repr__", [](const DiscMap& d) { return story("DiscMap", counted(d.uv.size(), "point")); })
       .def_prop_ro("uv", &Member<&DiscMap::uv>::view)
       .def_ro("summary", &DiscMap::summary);
   nb::class_<Patch>(m, "Patch")
+      .def("__repr__",
+           [](const Patch& p) {
+             return story("Patch", counted(p.triangles.size(), "triangle"),
+                          fmt::format("domain {}", name(p.domain)));
+           })
       .def_prop_ro("triangles", &Member<&Patch::triangles>::view)
       .def_prop_ro("uv", &Member<&Patch::uv>::view)
       .def_prop_ro("added", &Member<&Patch::added>::view)
@@ -102,6 +110,14 @@ void add_mesh_stages(nb::module_& m) {
       .def_ro("uv_flips", &Patch::uv_flips)
       .def_ro("evened", &Patch::evened);
   nb::class_<Surface>(m, "Surface")
+      .def("__repr__",
+           [](const Surface& s) {
+             return story("Surface", counted(s.triangles.size(), "triangle"), counted(s.loops.size(), "loop"),
+                          fmt::format("{} points left out", s.left_out.size()));
+           })
+      .def_prop_ro(
+          "loops", [](const Surface& s) { return loops_to_python(s.loops); },
+          nb::sig("def loops(self) -> list[rimline._loops.Loop]"))
       .def_prop_ro("triangles", &Member<&Surface::triangles>::view)
       .def_prop_ro("triangle_patch", &Member<&Surface::triangle_patch>::view)
       .def_prop_ro("added", &Member<&Surface::added>::view)

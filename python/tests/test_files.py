@@ -88,6 +88,17 @@ def test_every_format_that_is_read_is_known_and_ply_does_all() -> None:
     assert not by_name["PCD"]["writes_mesh"]
 
 
+def test_names_of_files_may_be_bytes_and_must_be_names(tmp_path: pathlib.Path, cap: rimline.Sample) -> None:
+    path = bytes(tmp_path / "points.ply")
+    rimline.write(path, cap.points)  # type: ignore[arg-type]
+    assert np.array_equal(rimline.read(path).points, cap.points)  # type: ignore[arg-type]
+    for wrong in ("a\0b.ply", "\udcff.ply"):
+        with pytest.raises(ValueError, match="name"):
+            rimline.read(wrong)
+        with pytest.raises(ValueError, match="name"):
+            rimline.write(wrong, cap.points)
+
+
 def test_points_go_to_ply_alone(tmp_path: pathlib.Path, cap: rimline.Sample) -> None:
     with pytest.raises(rimline.Error) as caught:
         rimline.write(tmp_path / "points.jpeg", cap.points)

@@ -119,8 +119,31 @@ def test_the_stub_has_the_same_options() -> None:
         assert told == shown(getattr(rimline, node.name))
 
 
+@pytest.mark.parametrize(
+    "wrong", [{"up": 3}, {"up": "zzz"}, {"up": [0, None, 1]}, {"holes": 3}, {"corners": 4}, {"corners": (0, 1.5, 2, 3)},
+              {"preset": 1}, {"seed": 1.5}, {"seed": "1"}, {"threads": None}, {"threads": True}, {"memory_limit": 1e9},
+              {"reference": 3}, {"reference": (1, 2, 3)}], ids=str)
+def test_arguments_of_another_type_are_a_type_error_that_names_them(wrong: Any, cap: rimline.Sample) -> None:
+    with pytest.raises(TypeError, match=next(iter(wrong))):
+        rimline.reconstruct(cap.points, **wrong)
+
+
+@pytest.mark.parametrize("wrong", [{"up": (0, 1)}, {"up": (1, 2, 3, 4)}, {"corners": (1, 2, 3)}], ids=str)
+def test_vectors_of_another_length_are_a_value_error(wrong: Any, cap: rimline.Sample) -> None:
+    with pytest.raises(ValueError, match=f"{next(iter(wrong))} must be [34] numbers"):
+        rimline.reconstruct(cap.points, **wrong)
+
+
+def test_vectors_may_be_arrays(cap: rimline.Sample) -> None:
+    down = rimline.reconstruct(cap.points, up=np.array([0, 0, -1], np.float32))  # type: ignore[arg-type]
+    assert down.report["options"]["up"] == [0, 0, -1]
+    ids = cap.loops[0].points[[0, 30, 60, 90]]
+    assert rimline.reconstruct(cap.points, domain="rectangle", corners=ids).report["options"]["corners"] == ids.tolist()  # type: ignore[arg-type]
+
+
 def test_holes_up_and_corners_are_checked(cap: rimline.Sample) -> None:
-    for wrong in ({"holes": "close"}, {"up": (0, 0, 0)}, {"corners": (0, 1, 2, 99999), "domain": "square"}):
+    for wrong in ({"holes": "close"}, {"up": (0, 0, 0)}, {"corners": (0, 1, 2, 99999), "domain": "square"},
+                  {"corners": (0, 1, 2, -1)}, {"corners": (0, 1, 2, 2**40)}):
         with pytest.raises(rimline.Error) as caught:
             rimline.reconstruct(cap.points, **wrong)
         assert caught.value.code is rimline.ErrorCode.BadOption

@@ -32,6 +32,35 @@ def test_stage_by_stage_gives_the_loops_of_the_whole(cap: rimline.Sample) -> Non
     assert len(patch.triangles) == len(surface.triangles)
 
 
+def test_repr_tells_the_story_in_a_line(cap: rimline.Sample) -> None:
+    with_nan = np.vstack([cap.points, np.full((1, 3), np.nan)])
+    arrangement = rimline.arrange(with_nan)
+    count = f"{len(cap.points):,} points"
+    assert repr(arrangement) == f"<rimline.Arrangement: {count}, 1 left out>"
+    neighbours = rimline.find_neighbours(arrangement.points, 40)
+    assert repr(neighbours) == f"<rimline.Neighbours: 40 of each of {count}>"
+    scores = rimline.score_boundary(arrangement.points, neighbours)
+    assert repr(scores) == f"<rimline.BoundaryScores: {count}, {np.count_nonzero(scores.candidate):,} candidates>"
+    survey = rimline.find_boundary_loops(arrangement.points, neighbours, scores)
+    assert repr(survey) == f"<rimline.BoundaryLoops: 1 loop, {len(survey.triangles):,} triangles>"
+    surface = rimline.refine_surface(arrangement.points, neighbours, survey.loops, survey.triangles)
+    assert repr(surface) == f"<rimline.Surface: {len(surface.triangles):,} triangles, 1 loop, 0 points left out>"
+    assert np.array_equal(surface.loops[0].points, survey.loops[0].points)
+    assert repr(cap) == f"<rimline.Sample: {count}, 1 true loop>"
+
+
+def test_numbers_of_stages_are_checked(cap: rimline.Sample) -> None:
+    for wrong in (2.5, "5", True):
+        with pytest.raises(TypeError, match="k must be an integer"):
+            rimline.find_neighbours(cap.points, wrong)  # type: ignore[arg-type]
+        with pytest.raises(TypeError, match="n must be an integer"):
+            rimline.sample("flat-disc", wrong)  # type: ignore[arg-type]
+    for call in (lambda: rimline.sample("flat-disc", -5), lambda: rimline.estimate_memory(-1),
+                 lambda: rimline.estimate_memory(10**30)):
+        with pytest.raises(rimline.Error, match="must lie between"):
+            call()
+
+
 def test_the_stages_of_the_paper(cap: rimline.Sample) -> None:
     points = rimline.arrange(cap.points).points
     neighbours = rimline.find_neighbours(points, 40)
