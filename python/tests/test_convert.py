@@ -5,6 +5,7 @@ from __future__ import annotations
 import pathlib
 import subprocess
 import sys
+from typing import Any
 
 import numpy as np
 import pytest
@@ -22,7 +23,7 @@ def test_trimesh(mesh: rimline.ReconstructResult) -> None:
 
 def test_open3d(mesh: rimline.ReconstructResult) -> None:
     pytest.importorskip("open3d")
-    made = mesh.to_open3d()
+    made: Any = mesh.to_open3d()
     assert np.array_equal(made.vertices, mesh.vertices) and np.array_equal(made.triangles, mesh.faces)
     assert np.array_equal(np.asarray(made.triangle_uvs), mesh.uv[mesh.faces.ravel()])
 
