@@ -146,6 +146,8 @@ class Writer:
 
     def _option(self, field: dict[str, Any]) -> str:
         kind = "{" + ", ".join(map(repr, field["choices"])) + "}" if "choices" in field else field["type"]
+        if "word" in field:
+            kind += f" or {field['word']!r}"
         if "least" in field:
             kind += f", {field['least']} to {field['most']}"
         return _entry(field["name"], f"{kind}, default {field['default']!r}", field["help"])
@@ -196,6 +198,8 @@ class Writer:
             arguments.kwarg = None
             for field in self._fields_of(node):
                 kind = "Literal" + repr(field["choices"]) if "choices" in field else field["type"]
+                if "word" in field:
+                    kind += f" | Literal[{field['word']!r}]"
                 arguments.kwonlyargs.append(ast.arg(field["name"], ast.parse(kind, mode="eval").body))
                 arguments.kw_defaults.append(ast.Constant(field["default"]))
         doc = self.made.get(node.name) or ast.get_docstring(node) or ""

@@ -32,6 +32,13 @@ nb::object as_python(const T& value) {
   }
 }
 
+// Of a field, 0 by its word where it has one.
+template <class T>
+nb::object value_in_python(const Field<T>& field) {
+  if (field.zero[0] != 0 && field.value == std::remove_const_t<T>{}) return nb::cast(std::string(field.zero));
+  return as_python(field.value);
+}
+
 template <class T>
 const char* type_name() {
   if constexpr (std::is_enum_v<T>) return "choice";
@@ -117,7 +124,7 @@ Options options_of(const std::string& preset, const Dict& given) {
 Dict defaults_of(Preset preset) {
   Dict values;
   const Options options = preset_options(preset);
-  visit_fields(options, [&](const auto& field) { values[field.name] = as_python(field.value); });
+  visit_fields(options, [&](const auto& field) { values[field.name] = value_in_python(field); });
   return values;
 }
 
@@ -146,7 +153,8 @@ Items fields() {
     one["name"] = field.name;
     one["group"] = group_of(options, &field.value);
     one["type"] = type_name<Value>();
-    one["default"] = as_python(field.value);
+    one["default"] = value_in_python(field);
+    if (field.zero[0] != 0) one["word"] = field.zero;
     one["help"] = field.help;
     if constexpr (std::is_enum_v<Value>) {
       one["choices"] = nb::cast(names_of<Value>());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map/free_chart.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,18 +12,29 @@
 #include "map/free_map.h"
 #include "map/outline_crossings.h"
 #include "map/outline_first.h"
+#include "solve/sparse.h"
 
 namespace rimline {
 namespace {
 
 constexpr double flat_mean = 1.05;  // of conformal_distortion(): above it, triangles are all but flat in uv
 
-bool is_valid(const OpenMesh& open, const std::vector<UV>& uv, const Run& run) {
-  return flipped_triangles(open.mesh.triangles, uv, run).empty() && crossing_points(open.loops, uv).empty();
+// Whether all triangles have a height that moving the chart does not take from them.
+bool have_height(const OpenMesh& open, const std::vector<UV>& uv) {
+  constexpr double least = 1e-9;  // of the longest side
+  return std::ranges::all_of(open.mesh.triangles, [&](const Triangle& t) {
+    const UV e = uv[t[1]] - uv[t[0]], f = uv[t[2]] - uv[t[0]], g = f - e;
+    const double square = std::max({e.u * e.u + e.v * e.v, f.u * f.u + f.v * f.v, g.u * g.u + g.v * g.v});
+    return e.u * f.v - e.v * f.u > least * square;
+  });
 }
 
-bool is_good(const OpenMesh& open, const std::vector<UV>& uv, const Run& run) {
-  return is_valid(open, uv, run) && conformal_distortion(open.points, open.mesh, uv) <= flat_mean;
+bool is_valid(const OpenMesh& open, const std::vector<UV>& uv) {
+  return have_height(open, uv) && crossing_points(open.loops, uv).empty();
+}
+
+bool is_good(const OpenMesh& open, const std::vector<UV>& uv) {
+  return is_valid(open, uv) && conformal_distortion(open.points, open.mesh, uv) <= flat_mean;
 }
 
 // To the area of the surface; one that has all but none, to the length of its outline.
@@ -48,9 +60,9 @@ ChartMap laid_out(const OpenMesh& open, std::vector<UV> uv, const MapSummary& su
 // Descends from a valid map.
 std::optional<ChartMap> relaxed(const OpenMesh& open, std::vector<UV> uv, const MapSummary& summary,
                                 const Run& run) {
-  if (!is_valid(open, uv, run)) return {};
+  if (!is_valid(open, uv)) return {};
   relax_conformally(open.points, open.mesh, open.loops, uv, run);
-  if (!is_valid(open, uv, run)) return {};
+  if (!is_valid(open, uv)) return {};
   return laid_out(open, std::move(uv), summary);
 }
 
@@ -63,6 +75,7 @@ std::optional<ChartMap> anew_within(const OpenMesh& open, std::vector<UV> uv, do
   const Embedding inside = embed(open.points, open.mesh, open.loops, residual, repairs, uv, run);
   if (inside.flips > 0) return {};
   uv.resize(open.points.size());
+  if (is_good(open, uv)) return laid_out(open, std::move(uv), inside.map);
   return relaxed(open, std::move(uv), inside.map, run);
 }
 
@@ -84,13 +97,13 @@ std::optional<ChartMap> first_good(const OpenMesh& open, const std::vector<doubl
   std::vector<UV> uv;
   if (open.vertices() > large && !turning.empty()) {
     const MapSummary summary = map_outline_first(open, turning, residual, uv, run);
-    if (is_good(open, uv, run)) return laid_out(open, std::move(uv), summary);
+    if (is_good(open, uv)) return laid_out(open, std::move(uv), summary);
     if (!patient || open.vertices() > too_large) return {};
   }
   for (const double least : {0.0, little}) {
     const MapSummary summary = free_map(open.points, open.mesh, open.loops.front().points, least, uv, run);
-    if (is_good(open, uv, run)) return laid_out(open, std::move(uv), summary);
-    if (flipped_triangles(open.mesh.triangles, uv, run).empty()) break;
+    if (is_good(open, uv)) return laid_out(open, std::move(uv), summary);
+    if (have_height(open, uv)) break;
   }
   if (auto map = anew_within(open, uv, residual, run)) return map;
   if (!patient) return {};
