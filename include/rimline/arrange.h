@@ -18,12 +18,15 @@ struct Arrangement {
   Point origin;                   // the centre of the bounding box of the points that take part
   std::vector<Index> not_finite;  // input ids, ascending
   std::vector<Index> duplicates;  // input ids, ascending; the lowest id of each place is kept
-  std::vector<Index> stray;       // input ids, ascending; far ones, and those of leave_out_stray()
+  std::vector<Index> stray;       // input ids, ascending; far ones, and those left out by the functions below
 };
 
 // Points out of all proportion, a million times as far away as most are from each other, are stray at once:
 // next to them, all others would be one place. Throws TooFewPoints where no finite point is left.
 Arrangement arrange(Points input, const Run& run);
+
+// Takes points, given by their places in the arrangement, ascending, out of it and adds their ids to `stray`.
+void leave_out(Arrangement& arrangement, const std::vector<Index>& places);
 
 // Finds the groups of the mutual k-nearest graph (each of two points in the other's list) that have fewer
 // than `least_group` points, and takes them out of the arrangement. Returns whether there were any: the

@@ -36,7 +36,7 @@ BoundaryResult find_boundary(Points points, const Options& options, const Run& r
   const Method& method = method_of(options.preset);
   check(points, options, given, Stage::Loops, run);
   StageClock clock;
-  const PreparedPoints prepared = prepare(points, options, run, clock);                      // Definition 2.1
+  const PreparedPoints prepared = prepare(points, options, given, run, clock);               // Definition 2.1
   const BoundaryScores scores = score(prepared, options, run, clock);                        // eq. (1)
   const FoundLoops found = method.find_loops(prepared, scores, options, given, run, clock);  // eqs. (2), (3)
   clock.enter(Stage::Write);
@@ -53,7 +53,7 @@ ParameterizeResult parameterize(Points points, const Options& options, const Run
   const Method& method = method_of(options.preset);
   check(points, options, given, Stage::Refine, run);
   StageClock clock;
-  const PreparedPoints prepared = prepare(points, options, run, clock);
+  const PreparedPoints prepared = prepare(points, options, given, run, clock);
   const BoundaryScores scores = score(prepared, options, run, clock);
   const FoundLoops found = method.find_loops(prepared, scores, options, given, run, clock);
   const MappedMesh map = method.map(prepared, found, options, given, run, clock);  // eq. (4)
@@ -75,7 +75,7 @@ ReconstructResult reconstruct(Points points, const Options& options, const Run& 
   const Method& method = method_of(options.preset);
   check(points, options, given, Stage::Measure, run);
   StageClock clock;
-  const PreparedPoints prepared = prepare(points, options, run, clock);
+  const PreparedPoints prepared = prepare(points, options, given, run, clock);
   const BoundaryScores scores = score(prepared, options, run, clock);
   const FoundLoops found = method.find_loops(prepared, scores, options, given, run, clock);
   const MappedMesh mesh = method.mesh(prepared, found, options, given, run, clock);  // eq. (4), Delaunay

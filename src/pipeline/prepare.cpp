@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/prepare.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "base/domain_traits.h"
 #include "pipeline/given_loops.h"
+#include "rimline/clean.h"
 #include "rimline/measure.h"
 
 namespace rimline::pipeline {
@@ -19,6 +23,31 @@ void check_corners(Points input, const ParameterizeOptions& map) {
   }
 }
 
+// Without those on loops that were given: who names a point wants it.
+StrayPoints without_given(StrayPoints stray, const Arrangement& arrangement, const std::vector<Loop>& loops) {
+  std::vector<Index> given;
+  for (const Loop& loop : loops) given.insert(given.end(), loop.points.begin(), loop.points.end());
+  std::ranges::sort(given);
+  for (auto* list : {&stray.off_surface, &stray.on_line, &stray.apart})
+    std::erase_if(*list, [&](Index i) { return std::ranges::binary_search(given, arrangement.ids[i]); });
+  return stray;
+}
+
+// Takes stray points out until none is found any more, and finds the neighbours of the others. Some show only
+// when those beside them are gone.
+void leave_out_dirt(Arrangement& arrangement, Neighbours& neighbours, std::vector<double>& spacing, int k,
+                    const std::vector<Loop>& given, const Run& run) {
+  constexpr int most_rounds = 4;
+  for (int round = 0; round < most_rounds; ++round) {
+    const StrayPoints stray =
+        without_given(find_stray_points(arrangement.points, neighbours, spacing, run), arrangement, given);
+    if (stray.empty()) break;
+    leave_out(arrangement, all_of(stray));
+    neighbours = find_neighbours(arrangement.points, k, run);
+    spacing = local_spacing(arrangement.points, neighbours, run);
+  }
+}
+
 }  // namespace
 
 void check_input(Points input, const Options& options, const Given& given) {
@@ -29,7 +58,8 @@ void check_input(Points input, const Options& options, const Given& given) {
   check_given_loops(given.loops, input.size());
 }
 
-PreparedPoints prepare(Points input, const Options& options, const Run& run, StageClock& clock) {
+PreparedPoints prepare(Points input, const Options& options, const Given& given, const Run& run,
+                       StageClock& clock) {
   const int k = most_neighbours(options);
   clock.enter(Stage::Arrange);
   Arrangement arrangement = arrange(input, run);
@@ -39,6 +69,7 @@ PreparedPoints prepare(Points input, const Options& options, const Run& run, Sta
     neighbours = find_neighbours(arrangement.points, k, run);
   }
   std::vector<double> spacing = local_spacing(arrangement.points, neighbours, run);
+  if (counts(UsedBy::Default, options)) leave_out_dirt(arrangement, neighbours, spacing, k, given.loops, run);
   const SpacingSummary summary = summarize_spacing(spacing, run);
   return {input, std::move(arrangement), std::move(neighbours), std::move(spacing), summary};
 }

@@ -29,7 +29,8 @@ struct PreparedPoints {
 // point, and given loops as check_given_loops() does.
 void check_input(Points input, const Options& options, const Given& given);
 
-PreparedPoints prepare(Points input, const Options& options, const Run& run, StageClock& clock);
+PreparedPoints prepare(Points input, const Options& options, const Given& given, const Run& run,
+                       StageClock& clock);
 
 // Calls body() and returns what it returns. Errors of the stages name points of the arrangement; users know
 // those of their file, so the ids of an error are translated on its way out.

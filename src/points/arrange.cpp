@@ -223,6 +223,15 @@ Arrangement arrange(Points input, const Run& run) {
   return result;
 }
 
+void leave_out(Arrangement& arrangement, const std::vector<Index>& places) {
+  auto next = places.begin();
+  leave_out(arrangement, arrangement.stray, [&](std::size_t i) {
+    if (next == places.end() || static_cast<std::size_t>(*next) != i) return false;
+    ++next;
+    return true;
+  });
+}
+
 bool leave_out_stray(Arrangement& arrangement, const Neighbours& neighbours, const Run& run,
                      int least_group) {
   const auto count = static_cast<std::size_t>(neighbours.size());

@@ -21,7 +21,7 @@ struct Sheets {
       for (int i = 0; i < 64; ++i) input.push_back({x + i % 8, double(i / 8), 0.1 * std::sin(i)});
     }
     StageClock clock;
-    prepared = prepare(input, {}, {}, clock);
+    prepared = prepare(input, {}, {}, {}, clock);
     mesh.vertices = prepared.points();
     for (const Point& p : input) mesh.uv.push_back({p.x, p.y});
     mesh.components.resize(2);

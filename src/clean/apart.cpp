@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clean/apart.h"
+
+#include <algorithm>
+
+#include "base/model.h"
+#include "base/model_clean.h"
+#include "base/union_find.h"
+
+namespace rimline {
+namespace {
+
+// Whether the gap around a point is wider than the points next to it explain.
+bool is_alone(Points points, const Neighbours& neighbours, const std::vector<double>& scale, Index i,
+              const std::vector<char>& left_out) {
+  double widest = scale[i], nearest = 0;
+  int met = 0;
+  for (const Index j : neighbours.of(i)) {
+    if (left_out[j]) continue;
+    if (met == 0) nearest = distance(points[i], points[j]);
+    widest = std::max(widest, scale[j]);
+    if (++met == model::apart_asked) break;
+  }
+  return nearest > model::apart_alone * widest;
+}
+
+}  // namespace
+
+std::vector<char> lies_apart(Points points, const Neighbours& neighbours, const std::vector<double>& scale,
+                             const std::vector<char>& left_out) {
+  UnionFind groups(points.size());
+  const int count = std::min(model::more_neighbours, neighbours.k);
+  for (Index i = 0; i < static_cast<Index>(points.size()); ++i) {
+    if (left_out[i]) continue;
+    for (const Index j : neighbours.of(i, count)) {
+      if (left_out[j]) continue;
+      if (distance(points[i], points[j]) <= model::apart_gap * std::max(scale[i], scale[j]))
+        groups.join(i, j);
+    }
+  }
+  const double most = std::min(model::apart_most, model::apart_share * static_cast<double>(points.size()));
+  std::vector<char> apart(points.size());
+  for (Index i = 0; i < static_cast<Index>(points.size()); ++i)
+    apart[i] = !left_out[i] && (static_cast<double>(groups.size_of(i)) <= most ||
+                                is_alone(points, neighbours, scale, i, left_out));
+  return apart;
+}
+
+}  // namespace rimline

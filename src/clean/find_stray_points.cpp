@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "base/model.h"
+#include "base/model_clean.h"
+#include "base/parallel.h"
+#include "clean/apart.h"
+#include "clean/chains.h"
+#include "clean/off_surface.h"
+#include "clean/own_scale.h"
+#include "clean/surface_fit.h"
+#include "points/kd_tree.h"
+#include "rimline/clean.h"
+
+namespace rimline {
+namespace {
+
+constexpr int points_in_leaf = 40;  // [speed]
+
+std::vector<Index> ids_of(const std::vector<char>& is_in) {
+  std::vector<Index> ids;
+  for (Index i = 0; i < static_cast<Index>(is_in.size()); ++i) {
+    if (is_in[i]) ids.push_back(i);
+  }
+  return ids;
+}
+
+// Whether a few of the points around one are nearly as far from their neighbours as it is: density varies
+// there.
+bool is_in_graded(const Neighbours& neighbours, const std::vector<double>& spacing,
+                  const std::vector<double>& scale, Index i, double nearest) {
+  const double wide = std::max(model::graded_share * nearest, model::graded_least * scale[i]);
+  const auto around = neighbours.of(i, std::min(model::few_neighbours, neighbours.k));
+  return std::ranges::count_if(around, [&](Index j) { return spacing[j] >= wide; }) >= model::graded_count;
+}
+
+// Those that are no part of the surface at their own scale either.
+std::vector<char> confirmed(std::vector<char> suspects, Points points, const Neighbours& neighbours,
+                            const std::vector<double>& spacing, const std::vector<double>& scale,
+                            const Run& run) {
+  const std::vector<Index> ids = ids_of(suspects);
+  if (ids.empty()) return suspects;
+  const KdTree tree(points, points_in_leaf, run);
+  parallel_tasks(ids.size(), Stage::Neighbours, run, [&](std::size_t s) {
+    const Index i = ids[s];
+    const double nearest = distance_to(points, neighbours, i, 0);
+    if (is_in_graded(neighbours, spacing, scale, i, nearest)) suspects[i] = 0;
+    if (nearest > model::own_coarser * scale[i] && fits_at_own_scale(tree, points, spacing, i, nearest))
+      suspects[i] = 0;
+  });
+  run.check_cancel();
+  return suspects;
+}
+
+std::vector<char> either(std::vector<char> a, const std::vector<char>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] = static_cast<char>(a[i] | b[i]);
+  return a;
+}
+
+// Whether the spacing varies so much over the set that a true point may be as lonely as a stray one.
+bool is_graded(std::vector<double> scale) {
+  constexpr double low = 0.05, high = 0.95;  // [layout] shares
+  const auto quantile = [&](double share) {
+    const auto at = scale.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(scale.size()));
+    std::ranges::nth_element(scale, at);
+    return *at;
+  };
+  return quantile(high) > model::stray_most_graded * quantile(low);
+}
+
+}  // namespace
+
+std::vector<Index> all_of(const StrayPoints& stray) {
+  std::vector<Index> all = stray.off_surface;
+  all.insert(all.end(), stray.on_line.begin(), stray.on_line.end());
+  all.insert(all.end(), stray.apart.begin(), stray.apart.end());
+  std::ranges::sort(all);
+  return all;
+}
+
+StrayPoints find_stray_points(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                              const Run& run) {
+  if (points.size() < model::stray_fewest_points) return {};
+  const std::vector<double> scale = usual_spacing(neighbours, spacing, run);
+  if (is_graded(scale)) return {};
+  const std::vector<char> off =
+      confirmed(lies_off_surface(points, neighbours, scale, run), points, neighbours, spacing, scale, run);
+  const std::vector<char> on_line = lies_on_chain(points, neighbours, scale, off, run);
+  const std::vector<char> apart = confirmed(lies_apart(points, neighbours, scale, either(off, on_line)),
+                                            points, neighbours, spacing, scale, run);
+  StrayPoints stray{ids_of(off), ids_of(on_line), ids_of(apart)};
+  const auto most = static_cast<std::size_t>(model::stray_most_share * static_cast<double>(points.size()));
+  return all_of(stray).size() > most ? StrayPoints{} : stray;
+}
+
+}  // namespace rimline
