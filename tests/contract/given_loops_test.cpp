@@ -119,7 +119,8 @@ TEST_CASE("each part of a surface has an outer loop of its own among loops whose
                               folder / "loops.json", "--loops", folder / "out.json"});
   CAPTURE(done.err);
   REQUIRE(done.status == 0);
-  for (const json& loop : json::parse(read_file(folder / "out.json"))["loops"]) CHECK(loop["kind"] == "outer");
+  const json written = json::parse(read_file(folder / "out.json"));
+  for (const json& loop : written["loops"]) CHECK(loop["kind"] == "outer");
 }
 
 TEST_CASE("--use-loops honours --memory-limit") {
