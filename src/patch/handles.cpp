@@ -14,7 +14,8 @@ namespace rimline {
 namespace {
 
 constexpr std::size_t longest_curve = 8;  // edges: a few spacings
-constexpr std::size_t widest_band = 3;    // edges across, from rim to rim
+constexpr std::size_t narrow_band = 2;    // edges across, from rim to rim
+constexpr std::size_t widest_band = 3;    // likewise, where few triangles go with it
 constexpr std::size_t least_budget = 24;  // triangles that a repair may take out of a small component
 
 // Curves through one vertex of each handle, short ones looked for from their own vertices again.
@@ -59,8 +60,10 @@ HandleRepair describe(const EditableMesh& mesh, const Curve& curve, const Change
 // A component, and how much may be done to it.
 struct Budget {
   std::size_t triangles;  // that a repair may take away
-  std::size_t trees;      // that may still be grown over all of it, so that no surface takes long
-  std::size_t looks;      // that may still be taken at vicinities
+  std::size_t
+      hundredth;      // of the component's triangles: as many across bands that a strip may have all along
+  std::size_t trees;  // that may still be grown over all of it, so that no surface takes long
+  std::size_t looks;  // that may still be taken at vicinities
 };
 
 // Cuts along the curve, where it is short enough and that can be done.
@@ -68,7 +71,8 @@ bool mend(EditableMesh& mesh, const Curve& curve, const Budget& budget, Rims& ri
           std::vector<HandleRepair>& repairs) {
   const std::size_t edges = curve.vertices.size() - (curve.is_closed ? 0 : 1);
   if (curve.vertices.size() < 2 || edges > (curve.is_closed ? longest_curve : widest_band)) return false;
-  const std::optional<Change> change = cut(mesh, rims, curve, budget.triangles);
+  const bool is_wide = !curve.is_closed && edges > narrow_band;
+  const auto change = cut(mesh, rims, curve, is_wide ? budget.hundredth : budget.triangles);
   if (change) repairs.push_back(describe(mesh, curve, *change));
   return change.has_value();
 }
@@ -158,8 +162,8 @@ void repair_part(EditableMesh& mesh, const Part& part, std::vector<HandleRepair>
   if (is_simple(part, before)) return;
   Rims rims(mesh.vertices());
   for (const Rim& rim : before) rims.put(rim);
-  Budget budget{std::max(least_budget, part.triangles / 100), std::max<std::size_t>(8, work / part.triangles),
-                looks};
+  Budget budget{std::max(least_budget, part.triangles / 100), part.triangles / 100,
+                std::max<std::size_t>(8, work / part.triangles), looks};
   for (std::size_t left = part.triangles;;) {
     const auto first = std::ranges::find_if(part.vertices, [&](Index v) { return !mesh.star(v).empty(); });
     if (first == part.vertices.end()) return;
