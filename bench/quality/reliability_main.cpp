@@ -184,10 +184,12 @@ void write_page(const Settings& settings, const std::string& table) {
       "asked\nabout the first {} clouds alone; files of more than {} points are left out, and `--every` asks "
       "about "
       "one in so many.\n\n"
-      "| command | commit |\n|---|---|\n| `bench/quality/reliability --seed {} --clouds {} --draws {}` | {} "
-      "|\n\n",
-      settings.peer_clouds, settings.most_points, settings.seed, settings.clouds, settings.draws,
-      settings.every, settings.commit);
+      "| command | commit |\n|---|---|\n"
+      "| `bench/quality/reliability --seed {} --clouds {} --peer-clouds {} --draws {} --every {} "
+      "--most-points {}` "
+      "| {} |\n\n",
+      settings.peer_clouds, settings.most_points, settings.seed, settings.clouds, settings.peer_clouds,
+      settings.draws, settings.every, settings.most_points, settings.commit);
   page << table;
   if (!page.flush()) throw std::runtime_error(settings.markdown + ": can not be written");
 }
