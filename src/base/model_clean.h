@@ -30,16 +30,16 @@ inline constexpr double stray_cut = 4.7;
 inline constexpr double median_to_deviation = 1.48;
 // spacings: deviation of exact points. [hand; no other tried]
 inline constexpr double stray_floor = 0.01;
-// share: points whose deviation is usual. [hand: 0.95 finds fewer of 5 % outliers, with none asked 309 points
-// of the corpus are called stray in place of 77]
+// share: points whose deviation is usual. [hand: 0.95 finds fewer of 5 % outliers; without it more true
+// points are called stray, by a prototype on the corpus]
 inline constexpr double stray_usual_share = 0.9;
-// deviations: height over the surface from which on a point is off it. [hand: 4 calls 189, 5 128 points of
-// the corpus stray, and isis_front loses some of its rim]
+// deviations: height over the surface from which on a point is off it. [hand: with 4 and 5 more points of the
+// corpus are called stray, by a prototype]
 inline constexpr double stray_deviations = 6;
 // spacings: the least such height. [hand: with 0.4 true points of thin parts are called stray]
 inline constexpr double stray_least = 1.2;
-// spacings, and deviations: the same where the surface is whole without the point. [hand: 30 and 40 points of
-// the corpus; 3 deviations 117]
+// spacings, and deviations: the same where the surface is whole without the point. [hand: fewest points of the
+// corpus, by a prototype]
 inline constexpr double stray_least_whole = 0.1, stray_deviations_whole = 4;
 // spacings: from the foot of such a point to the nearest on the surface, ... [derived: half a spacing and a
 // tenth, as far as a place on a surface is from its samples at most]
@@ -48,8 +48,8 @@ inline constexpr double stray_redundant = 0.55;
 inline constexpr double stray_gap = 1.6;
 // spacings: those around it. [hand; no other tried]
 inline constexpr double stray_around = 2.5;
-// share: of that height, over a plane that is not robust, from which on it is measured. [hand: no stray
-// point of the shapes is lost]
+// share: of that height, over a plane that is not robust, from which on it is measured. [hand; no
+// other tried]
 inline constexpr double stray_quick = 0.6;
 // spacings: points so near, off the surface too, may be another sheet. [hand; no other tried]
 inline constexpr double stray_beside = 1.8;
@@ -96,8 +96,8 @@ inline constexpr double own_alike = 0.6, own_alike_near = 2.2;
 inline constexpr double apart_gap = 3;
 // count: points next to one that tell whether it is alone, ... [hand; no other tried]
 inline constexpr int apart_asked = 6;
-// times the largest spacing there: ... by its distance to the nearest. [hand: four points of the corpus; 1.8
-// calls 37, 1.6 52]
+// times the largest spacing there: ... by its distance to the nearest. [hand: fewest points of the corpus
+// beside 1.8 and 1.6, by a prototype]
 inline constexpr double apart_alone = 2.5;
 // share of the points, and count: a group of more is a part of the surface. [hand: the least part of the
 // corpus]
