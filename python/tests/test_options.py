@@ -20,9 +20,6 @@ OTHERS = {"up", "holes", "corners"}
 RUN = {"points", "preset", "seed", "threads", "memory_limit", "progress", "normals", "loops", "reference"}
 
 
-WORDS_FOR_ZERO = {"charts": "auto"}  # as the tool and the report have them; an integer here takes both
-
-
 def shown(function: object) -> dict[str, object]:
     """Options in a signature, with their defaults."""
     parameters = inspect.signature(function).parameters  # type: ignore[arg-type]
@@ -34,9 +31,6 @@ def test_the_signature_has_every_option_that_the_report_has_with_its_default(
     function: object, mesh: rimline.ReconstructResult
 ) -> None:
     reported = {k: v for k, v in mesh.report["options"].items() if k not in OTHERS | {"preset"}}
-    for name, word in WORDS_FOR_ZERO.items():
-        assert reported[name] == word
-        reported[name] = 0
     assert {name: shown(function)[name] for name in reported} == reported
 
 
@@ -54,12 +48,10 @@ def test_defaults_and_ranges_are_those_that_the_tool_tells(tool: Tool) -> None:
         elif "word" in field:
             assert told[1] == field["default"]
         else:
-            word = WORDS_FOR_ZERO.get(field["name"])
-            assert (0 if told[1] == word else float(told[1])) == field["default"]
-            bounds = re.search(rf"(From|{word}, or from) (\S+) to (\S+)\. (Of|Default)", told[0])
+            assert float(told[1]) == field["default"]
+            bounds = re.search(r"From (\S+) to (\S+)\. (Of|Default)", told[0])
             assert bounds is not None, flag
-            least = field["least"] if word is None else 1  # the word is what 0 is called
-            assert (float(bounds[2]), float(bounds[3])) == (least, field["most"])
+            assert (float(bounds[1]), float(bounds[2])) == (field["least"], field["most"])
 
 
 def test_presets_have_the_defaults_of_the_library(cap: rimline.Sample) -> None:
