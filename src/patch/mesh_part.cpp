@@ -94,13 +94,14 @@ std::size_t bad_edges(const Component& component) {
 
 // Whether the disc tells the surface as well as what the triangles make of it. Over a handle that is none of
 // noise, and over a strip that is one-sided, a disc lies in folds: with more bad edges for each than noise
-// has.
+// has. A handle that was mended counts as one that is there: it cost triangles, which the disc has.
 bool is_better(const Component& disc, const std::vector<Component>& components) {
   constexpr std::size_t by_noise = 8;  // bad edges for each half of a handle
   if (components.empty()) return true;
   std::size_t allowed = 0, largest = 0, points = 0;
   for (const Component& c : components) {
-    allowed += bad_edges(c) + by_noise * static_cast<std::size_t>(c.orientable ? 2 * c.genus : c.genus);
+    const std::size_t halves = static_cast<std::size_t>(c.orientable ? 2 * c.genus : c.genus);
+    allowed += bad_edges(c) + by_noise * (halves + 2 * c.repairs.size());
     points += c.points.size();
     largest = std::max(largest, c.points.size());
   }

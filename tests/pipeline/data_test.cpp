@@ -179,6 +179,17 @@ TEST_CASE("gaps at density borders and between patches are not returned as holes
   }
 }
 
+TEST_CASE("a head whose triangles were mended in many places is one disc of all its points") {
+  const std::string path = path_of("mannequin_devil");
+  if (path.empty()) return;
+  const Cloud cloud = read_cloud(path, {});
+  const ReconstructResult result = reconstruct(cloud.points, preset_options(Preset::Default), {});
+  const MeshSummary& mesh = result.boundary.report.mesh;
+  CHECK(mesh.points_used == 12'968);  // of 12,977, the others lie where one lies already
+  CHECK(mesh.euler == 1);
+  CHECK(mesh.boundary_loops == 1);
+}
+
 TEST_CASE("the ragged rim of a raw range scan is found, and its mesh has no pinch") {
   const std::string path = path_of("bunny_scan");
   if (path.empty()) return;
