@@ -2,7 +2,9 @@
 // Small geometry that every room needs: rings, triangles in space.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "rimline/mesh.h"
 #include "rimline/points.h"
@@ -20,6 +22,17 @@ constexpr Point triangle_normal(Point a, Point b, Point c) { return cross(b - a,
 constexpr Point triangle_normal(Points points, const Triangle& t) {
   return triangle_normal(points[t[0]], points[t[1]], points[t[2]]);
 }
+
+// Twice the area of a triangle in the plane, negative where it is clockwise.
+constexpr double twice_area(UV a, UV b, UV c) {
+  return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+}
+constexpr double twice_area(const std::vector<UV>& uv, const Triangle& t) {
+  return twice_area(uv[t[0]], uv[t[1]], uv[t[2]]);
+}
+
+// The direction of a vector; of one of no length, none.
+inline Point unit(Point p) { return (1 / std::max(norm(p), 1e-300)) * p; }
 
 inline double triangle_area(Points points, const Triangle& t) {
   return 0.5 * norm(triangle_normal(points, t));

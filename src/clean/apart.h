@@ -9,8 +9,9 @@
 
 namespace rimline {
 
-// The points, 1 where true, of groups that hang together by gaps of at most three times the smaller scale of
-// both ends, and have at most 2 % of all points and at most 50. `scale`: usual_spacing(); `left_out`, 1 where
+// The points, 1 where true, of groups that hang together by gaps of at most three times the larger scale of
+// both ends, and have at most 2 % of all points and at most 50; and single points that are 2.5 times as far
+// from the nearest as the largest scale of the six next to it. `scale`: usual_spacing(); `left_out`, 1 where
 // true: points that join nothing.
 std::vector<char> lies_apart(Points points, const Neighbours& neighbours, const std::vector<double>& scale,
                              const std::vector<char>& left_out);

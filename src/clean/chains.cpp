@@ -7,13 +7,12 @@
 
 #include "base/model_clean.h"
 #include "base/parallel.h"
+#include "base/vec.h"
 
 namespace rimline {
 namespace {
 
 using Ids = std::vector<Index>;
-
-Point unit(Point v) { return (1 / std::max(norm(v), 1e-300)) * v; }
 
 // A set of points without those that are gone.
 struct Left {
@@ -74,21 +73,22 @@ Ids peel(Index i, Left& left) {
 }
 
 // The points that a chain passes before it meets the surface: they stand out of it.
-Ids root_of(const Ids& chain, const Left& left) {
+Ids root_of(const Ids& chain, Left& left) {
   const double step =
       distance(left.points[chain.front()], left.points[chain.back()]) / static_cast<double>(chain.size() - 1);
   const Point along = unit(left.points[chain.back()] - left.points[chain.front()]);
-  Ids root;
-  Left rest = left;
+  Ids root, taken;
   for (Index at = chain.back(); root.size() < model::chain_most_root;) {
-    const Index next = rest.nearest(at);
+    const Index next = left.nearest(at);
     if (next == none) break;
-    const Point d = rest.points[next] - rest.points[at];
+    const Point d = left.points[next] - left.points[at];
     if (norm(d) > model::chain_uneven * step || dot(unit(d), along) < model::chain_cone) break;
-    rest.gone[next] = 1;
-    if (!rest.sees_cone(next, model::chain_root_reach * rest.scale[next], model::chain_root_cone)) break;
+    left.gone[next] = 1;
+    taken.push_back(next);
+    if (!left.sees_cone(next, model::chain_root_reach * left.scale[next], model::chain_root_cone)) break;
     root.push_back(at = next);
   }
+  for (const Index i : taken) left.gone[i] = 0;  // other chains see them still
   return root;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 
 #include "base/model.h"
 #include "base/model_clean.h"
 #include "base/parallel.h"
+#include "base/quantile.h"
 #include "clean/apart.h"
 #include "clean/chains.h"
 #include "clean/off_surface.h"
@@ -34,13 +36,15 @@ bool is_in_graded(const Neighbours& neighbours, const std::vector<double>& spaci
   return std::ranges::count_if(around, [&](Index j) { return spacing[j] >= wide; }) >= model::graded_count;
 }
 
-// Those that are no part of the surface at their own scale either.
+// Those that are no part of the surface at their own scale either. `made`: the tree of the points, made
+// where it is asked for first.
 std::vector<char> confirmed(std::vector<char> suspects, Points points, const Neighbours& neighbours,
                             const std::vector<double>& spacing, const std::vector<double>& scale,
-                            const Run& run) {
+                            std::optional<KdTree>& made, const Run& run) {
   const std::vector<Index> ids = ids_of(suspects);
   if (ids.empty()) return suspects;
-  const KdTree tree(points, points_in_leaf, run);
+  if (!made) made.emplace(points, points_in_leaf, run);
+  const KdTree& tree = *made;
   parallel_tasks(ids.size(), Stage::Neighbours, run, [&](std::size_t s) {
     const Index i = ids[s];
     const double nearest = distance_to(points, neighbours, i, 0);
@@ -60,12 +64,7 @@ std::vector<char> either(std::vector<char> a, const std::vector<char>& b) {
 // Whether the spacing varies so much over the set that a true point may be as lonely as a stray one.
 bool is_graded(std::vector<double> scale) {
   constexpr double low = 0.05, high = 0.95;  // [layout] shares
-  const auto quantile = [&](double share) {
-    const auto at = scale.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(scale.size()));
-    std::ranges::nth_element(scale, at);
-    return *at;
-  };
-  return quantile(high) > model::stray_most_graded * quantile(low);
+  return quantile(scale, high) > model::stray_most_graded * quantile(scale, low);
 }
 
 }  // namespace
@@ -83,11 +82,12 @@ StrayPoints find_stray_points(Points points, const Neighbours& neighbours, const
   if (points.size() < model::stray_fewest_points) return {};
   const std::vector<double> scale = usual_spacing(neighbours, spacing, run);
   if (is_graded(scale)) return {};
-  const std::vector<char> off =
-      confirmed(lies_off_surface(points, neighbours, scale, run), points, neighbours, spacing, scale, run);
+  std::optional<KdTree> tree;
+  const std::vector<char> off = confirmed(lies_off_surface(points, neighbours, scale, run), points,
+                                          neighbours, spacing, scale, tree, run);
   const std::vector<char> on_line = lies_on_chain(points, neighbours, scale, off, run);
   const std::vector<char> apart = confirmed(lies_apart(points, neighbours, scale, either(off, on_line)),
-                                            points, neighbours, spacing, scale, run);
+                                            points, neighbours, spacing, scale, tree, run);
   StrayPoints stray{ids_of(off), ids_of(on_line), ids_of(apart)};
   const auto most = static_cast<std::size_t>(model::stray_most_share * static_cast<double>(points.size()));
   return all_of(stray).size() > most ? StrayPoints{} : stray;

@@ -5,6 +5,7 @@
 
 #include "base/model_clean.h"
 #include "base/parallel.h"
+#include "base/quantile.h"
 #include "clean/surface_fit.h"
 #include "local/point_sample.h"
 
@@ -22,10 +23,7 @@ double usual_deviation(Points points, const Neighbours& neighbours, const std::v
     deviations[i] = fit_without(points, neighbours, chosen[i], scale[chosen[i]]).deviation;
   });
   run.check_cancel();
-  const auto at = deviations.begin() + static_cast<std::ptrdiff_t>(model::stray_usual_share *
-                                                                   static_cast<double>(deviations.size()));
-  std::nth_element(deviations.begin(), at, deviations.end());
-  return *at;
+  return quantile(deviations, model::stray_usual_share);
 }
 
 // Whether the surface is whole without the point: it goes on around its foot, with no gap there.

@@ -7,6 +7,7 @@
 
 #include "base/model.h"
 #include "base/parallel.h"
+#include "base/quantile.h"
 #include "local/frame.h"
 #include "local/ramp.h"
 
@@ -48,13 +49,6 @@ Quadric fit_quadric(Points points, const Neighbours& neighbours, Index self, int
   const double rest = std::max(0.0, heights - fit.dot(right));
   quadric.deviation = std::sqrt(rest / static_cast<double>(ids.size() + 1 - terms));
   return quadric;
-}
-
-// The value below which that share of others lies.
-double quantile(std::vector<double>& values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "base/vec.h"
 #include "map/graph.h"
 #include "map/mesh_system.h"
 
@@ -36,11 +37,8 @@ std::size_t raise_evenness(const Triangulation& mesh, const std::vector<Index>& 
 std::vector<Index> flipped_triangles(const std::vector<Triangle>& triangles, const std::vector<UV>& uv,
                                      const Run& run) {
   std::vector<char> flipped(triangles.size());
-  parallel_for_each(triangles.size(), Stage::Refine, run, [&](Index t) {
-    const UV a = uv[triangles[t][0]], b = uv[triangles[t][1]], c = uv[triangles[t][2]];
-    const double area = (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
-    flipped[t] = !(area > 0);
-  });
+  parallel_for_each(triangles.size(), Stage::Refine, run,
+                    [&](Index t) { flipped[t] = !(twice_area(uv, triangles[t]) > 0); });
   std::vector<Index> found;
   for (std::size_t t = 0; t < flipped.size(); ++t) {
     if (flipped[t]) found.push_back(static_cast<Index>(t));

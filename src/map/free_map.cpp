@@ -125,10 +125,7 @@ double area_of(Points points, const Triangulation& mesh) {
 
 double area_of(const Triangulation& mesh, const std::vector<UV>& uv) {
   double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const UV a = uv[t[0]], b = uv[t[1]], c = uv[t[2]];
-    sum += 0.5 * ((b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u));
-  }
+  for (const Triangle& t : mesh.triangles) sum += 0.5 * twice_area(uv, t);
   return sum;
 }
 

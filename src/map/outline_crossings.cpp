@@ -15,13 +15,11 @@ struct OutlineEdge {
   double left, right, low, high;
 };
 
-// Twice the area of a, b, c: positive where c lies to the left.
-double side(UV a, UV b, UV c) { return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u); }
-
 bool meet(const OutlineEdge& e, const OutlineEdge& f) {
   if (e.high < f.low || f.high < e.low) return false;
   if (e.from == f.from || e.from == f.to || e.to == f.from || e.to == f.to) return false;
-  return side(e.a, e.b, f.a) * side(e.a, e.b, f.b) <= 0 && side(f.a, f.b, e.a) * side(f.a, f.b, e.b) <= 0;
+  return twice_area(e.a, e.b, f.a) * twice_area(e.a, e.b, f.b) <= 0 &&
+         twice_area(f.a, f.b, e.a) * twice_area(f.a, f.b, e.b) <= 0;
 }
 
 }  // namespace

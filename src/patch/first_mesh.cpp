@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/vec.h"
 #include "map/weights.h"
 #include "mesh/constrained_delaunay.h"
 #include "mesh/insert.h"
@@ -34,8 +35,7 @@ double depth_inside(UV point, const std::vector<Index>& polygon, const std::vect
   double depth = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const UV a = uv[polygon[i]], b = uv[polygon[i + 1 < polygon.size() ? i + 1 : 0]];
-    const double area = (b.u - a.u) * (point.v - a.v) - (b.v - a.v) * (point.u - a.u);
-    depth = std::min(depth, area / distance(a, b));
+    depth = std::min(depth, twice_area(a, b, point) / distance(a, b));
   }
   return depth;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "patch/short_cycle.h"
+#include "patch/surgery.h"
 
 namespace rimline {
 namespace {
@@ -74,13 +75,9 @@ Vicinity vicinity_of(const EditableMesh& mesh, Index vertex, int edges) {
   for (const Index v : vertices) points.push_back(mesh.points()[v]);
   EditableMesh part(points, triangles_of(mesh, vertices, number));
   drop_lesser_fans(part);
-  std::vector<Index> rim_of(vertices.size(), none);
-  Index rims = 0;
-  for (const std::vector<Index>& rim : walk_rims(part)) {
-    for (const Index v : rim) rim_of[v] = rims;
-    ++rims;
-  }
-  return {std::move(vertices), std::move(points), std::move(part), std::move(rim_of)};
+  Rims rims(vertices.size());
+  for (const Rim& rim : walk_rims(part)) rims.put(rim);
+  return {std::move(vertices), std::move(points), std::move(part), std::move(rims.of)};
 }
 
 std::vector<Index> short_cycle_in(const Vicinity& vicinity) {

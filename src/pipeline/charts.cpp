@@ -11,6 +11,7 @@
 #include "base/parallel.h"
 #include "base/vec.h"
 #include "patch/pack.h"
+#include "pipeline/component_parts.h"
 #include "rimline/map_by_charts.h"
 
 namespace rimline::pipeline {
@@ -18,34 +19,19 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// A component on its own.
-struct Part {
-  std::vector<Index> triangles;  // of the mesh
-  std::vector<Index> vertices;   // of the mesh, by ids of the part
+// A component on its own, and its map.
+struct Part : ComponentPart {
   std::vector<Point> points;
-  std::vector<Triangle> own;  // in ids of the part
   ChartedMap map;
   double area = 0;
 };
 
 std::vector<Part> parts_of(const MappedMesh& mesh) {
-  std::vector<Part> parts(mesh.components.size());
-  std::vector<Index> local(mesh.vertices.size(), none), owner(mesh.vertices.size(), none);
-  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t) {
-    Part& part = parts[mesh.triangle_patch[t]];
-    part.triangles.push_back(t);
-    Triangle& own = part.own.emplace_back();
-    for (int c = 0; c < 3; ++c) {
-      const Index v = mesh.triangles[t][c];
-      if (owner[v] != mesh.triangle_patch[t]) {
-        owner[v] = mesh.triangle_patch[t];
-        local[v] = static_cast<Index>(part.vertices.size());
-        part.vertices.push_back(v);
-        part.points.push_back(mesh.vertices[v]);
-      }
-      own[c] = local[v];
-    }
-    part.area += triangle_area(mesh.vertices, mesh.triangles[t]);
+  std::vector<Part> parts;
+  for (ComponentPart& own : component_parts(mesh)) {
+    Part& part = parts.emplace_back(Part{std::move(own), {}, {}, 0});
+    for (const Index v : part.vertices) part.points.push_back(mesh.vertices[v]);
+    for (const Index t : part.places) part.area += triangle_area(mesh.vertices, mesh.triangles[t]);
   }
   return parts;
 }
@@ -59,9 +45,9 @@ void keep_map(const MappedMesh& mesh, std::size_t component, Part& part) {
     map.uv.push_back(mesh.uv[part.vertices[v]]);
     map.vertex.push_back(v);
   }
-  map.corners = part.own;
-  map.chart.assign(part.own.size(), 0);
-  map.turned.assign(part.own.size(), 0);
+  map.corners = part.triangles;
+  map.chart.assign(part.triangles.size(), 0);
+  map.turned.assign(part.triangles.size(), 0);
 }
 
 // Small components each have a thread, large ones all of them.
@@ -73,23 +59,20 @@ void map_parts(std::vector<Part>& parts, const std::vector<std::size_t>& wanted,
     if (wanted.size() > 1 && parts[p].points.size() < large) {
       small.push_back(p);
     } else {
-      parts[p].map = map_by_charts(parts[p].points, parts[p].own, options, run);
+      parts[p].map = map_by_charts(parts[p].points, parts[p].triangles, options, run);
     }
   }
   Run alone = run.without_progress();
   alone.threads = 1;
   parallel_tasks(small.size(), Stage::Refine, run, [&](std::size_t i) {
     Part& part = parts[small[i]];
-    part.map = map_by_charts(part.points, part.own, options, alone);
+    part.map = map_by_charts(part.points, part.triangles, options, alone);
   });
 }
 
 double area_in_map(const ChartedMap& map) {
   double area = 0;
-  for (const auto& [a, b, c] : map.corners) {
-    const UV p = map.uv[a], q = map.uv[b], r = map.uv[c];
-    area += 0.5 * ((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u));
-  }
+  for (const Triangle& t : map.corners) area += 0.5 * twice_area(map.uv, t);
   return area;
 }
 
@@ -120,8 +103,8 @@ Layout lay_out(MappedMesh& mesh, const std::vector<Part>& parts, std::vector<Tri
     layout.uv.insert(layout.uv.end(), map.uv.begin(), map.uv.end());
     layout.chart.resize(layout.uv.size(), none);
     for (const Index v : map.vertex) layout.vertex.push_back(part.vertices[v]);
-    for (std::size_t i = 0; i < part.triangles.size(); ++i) {
-      const Index t = part.triangles[i];
+    for (std::size_t i = 0; i < part.places.size(); ++i) {
+      const Index t = part.places[i];
       mesh.chart[t] = charts + map.chart[i];
       for (int c = 0; c < 3; ++c) {
         corners[t][c] = first + map.corners[i][c];
@@ -149,10 +132,8 @@ void fit_unit_square(std::vector<UV>& uv) {
 
 // Whether rounding took a triangle's area where the chart has come to lie.
 bool is_turned(const Part& part, const std::vector<Triangle>& corners, const std::vector<UV>& uv) {
-  return part.map.charts > 0 && std::ranges::any_of(part.triangles, [&](Index t) {
-           const UV p = uv[corners[t][0]], q = uv[corners[t][1]], r = uv[corners[t][2]];
-           return !((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u) > 0);
-         });
+  return part.map.charts > 0 &&
+         std::ranges::any_of(part.places, [&](Index t) { return !(twice_area(uv, corners[t]) > 0); });
 }
 
 // Parts, whose maps would have triangles without area, without them.
@@ -177,7 +158,7 @@ Layout lay_out_sound(MappedMesh& mesh, std::vector<Part>& parts, UvScale scale,
 void turn_triangles(const std::vector<Part>& parts, MappedMesh& mesh) {
   for (const Part& part : parts) {
     for (std::size_t i = 0; i < part.map.turned.size(); ++i) {
-      Triangle& t = mesh.triangles[part.triangles[i]];
+      Triangle& t = mesh.triangles[part.places[i]];
       if (part.map.turned[i]) std::swap(t[1], t[2]);
     }
   }
@@ -247,7 +228,7 @@ MappedMesh map_charts(MappedMesh mesh, const ParameterizeOptions& options, const
   std::vector<Part> parts = parts_of(mesh);
   std::vector<std::size_t> charted;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    if (parts[p].own.empty()) continue;
+    if (parts[p].triangles.empty()) continue;
     if (mesh.components[p].map == Domain::None) {
       charted.push_back(p);
     } else {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/vec.h"
 #include "mesh/manifold.h"
 #include "pipeline/left_out.h"
 
@@ -14,16 +15,12 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double area_in_map(const MappedMesh& mesh, const Triangle& t) {
-  const UV a = mesh.uv[t[0]], b = mesh.uv[t[1]], c = mesh.uv[t[2]];
-  return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
-}
-
 void drop_turned_maps(MappedMesh& mesh) {
   std::vector<char> turned(mesh.components.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Index c = mesh.triangle_patch[t];
-    if (mesh.components[c].map != Domain::None && !(area_in_map(mesh, mesh.triangles[t]) > 0)) turned[c] = 1;
+    if (mesh.components[c].map != Domain::None && !(twice_area(mesh.uv, mesh.triangles[t]) > 0))
+      turned[c] = 1;
   }
   const auto count = std::ranges::count(turned, 1);
   if (count == 0) return;

@@ -9,7 +9,9 @@
 #include <tuple>
 #include <utility>
 
+#include "base/quantile.h"
 #include "base/vec.h"
+#include "pipeline/component_parts.h"
 #include "pipeline/measure_reference.h"
 #include "pipeline/warnings.h"
 
@@ -37,7 +39,7 @@ std::vector<double> spacing_of_vertices(std::vector<double> spacing, const Mappe
   return spacing;
 }
 
-// A part of the mesh with vertices of its own.
+// A component with vertices of its own.
 struct Part {
   std::vector<Point> points;
   std::vector<double> spacing;
@@ -64,21 +66,14 @@ void share_seams(const MappedMesh& mesh, std::vector<Part>& parts) {
 
 // One for each component, its triangles in their order.
 std::vector<Part> parts_of(const MappedMesh& mesh, const std::vector<double>& spacing) {
-  std::vector<Part> parts(mesh.components.size());
-  std::vector<Index> local(mesh.vertices.size(), none), owner(mesh.vertices.size(), none);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    Part& part = parts[mesh.triangle_patch[t]];
-    Triangle& own = part.triangles.emplace_back();
-    for (int c = 0; c < 3; ++c) {
-      const Index v = mesh.triangles[t][c];
-      if (owner[v] != mesh.triangle_patch[t]) {
-        owner[v] = mesh.triangle_patch[t];
-        local[v] = static_cast<Index>(part.points.size());
-        part.points.push_back(mesh.vertices[v]);
-        part.spacing.push_back(spacing[v]);
-        part.uv.push_back(mesh.uv[v]);
-      }
-      own[c] = local[v];
+  std::vector<Part> parts;
+  for (ComponentPart& own : component_parts(mesh)) {
+    Part& part = parts.emplace_back();
+    part.triangles = std::move(own.triangles);
+    for (const Index v : own.vertices) {
+      part.points.push_back(mesh.vertices[v]);
+      part.spacing.push_back(spacing[v]);
+      part.uv.push_back(mesh.uv[v]);
     }
   }
   if (!mesh.seams.empty()) share_seams(mesh, parts);
@@ -122,11 +117,7 @@ double longest_edge(const MappedMesh& mesh) {
   return std::sqrt(longest);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+double median(std::vector<double> values) { return quantile(values, 0.5); }
 
 // The boxes of the components, in the coordinates of the input.
 std::vector<std::pair<Point, Point>> boxes_of(const MappedMesh& mesh, Point origin) {

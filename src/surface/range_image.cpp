@@ -10,6 +10,7 @@
 
 #include "base/model.h"
 #include "base/parallel.h"
+#include "base/vec.h"
 #include "local/own_frame.h"
 #include "rimline/delaunay.h"
 
@@ -185,9 +186,7 @@ View settle(const Look& look, View view) {
   return view;
 }
 
-double area(UV a, UV b, UV c) {
-  return 0.5 * std::abs((b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u));
-}
+double area(UV a, UV b, UV c) { return 0.5 * std::abs(twice_area(a, b, c)); }
 
 double circumradius(UV a, UV b, UV c) {
   return rimline::circumradius(Point{a.u, a.v, 0}, Point{b.u, b.v, 0}, Point{c.u, c.v, 0});

@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::size_t knots_in_task = 32;  // long enough to hide the cost of a task [speed]
 
-Point unit(Point p) { return (1 / std::max(norm(p), 1e-300)) * p; }
-
 // The mean of the spacings about a point, which is less partial than its own: the neighbours of a point of
 // the rim are on one side.
 double spacing_about(const Neighbours& neighbours, const std::vector<double>& spacing, Index point) {
