@@ -103,12 +103,12 @@ inline Mesh octahedron(int times) {
 }
 
 // A strip with half a twist, one-sided.
-inline Mesh moebius(int along, int across) {
+inline Mesh moebius(int along, int across, double radius = 1, double width = 0.8) {
   Mesh mesh;
   for (int j = 0; j <= across; ++j) {
     for (int i = 0; i < along; ++i) {
-      const double a = 2 * std::numbers::pi * i / along, w = -0.4 + 0.8 * j / across;
-      const double r = 1 + w * std::cos(a / 2);
+      const double a = 2 * std::numbers::pi * i / along, w = -width / 2 + width * j / across;
+      const double r = radius + w * std::cos(a / 2);
       mesh.points.push_back({r * std::cos(a), r * std::sin(a), w * std::sin(a / 2)});
     }
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "grids.h"
 #include "mesh/editable_mesh.h"
 #include "mesh/orient.h"
 #include "mesh_rules.h"
@@ -18,10 +19,7 @@ constexpr Index side = 30;
 
 Index id(Index x, Index y) { return y * side + x; }
 
-struct Mesh {
-  std::vector<Point> points;
-  std::vector<Triangle> triangles;
-};
+using shapes::Mesh;
 
 // A bumpy sheet, so that no area is zero.
 Mesh sheet() {
@@ -124,23 +122,7 @@ TEST_CASE("a small handle beside the rim is mended, and the rim is left") {
 }
 
 TEST_CASE("a Moebius strip of four points across is true, and stays") {
-  constexpr Index length = 40, width = 4;
-  Mesh mesh;
-  for (Index i = 0; i < length; ++i) {
-    for (Index j = 0; j < width; ++j) {
-      const double a = 6.283185307179586 * i / length, w = j - 1.5, r = 6.4 + w * std::cos(a / 2);
-      mesh.points.push_back({r * std::cos(a), r * std::sin(a), w * std::sin(a / 2)});
-    }
-  }
-  const auto at = [](Index i, Index j) {
-    return i < length ? i * width + j : (i - length) * width + width - 1 - j;
-  };
-  for (Index i = 0; i < length; ++i) {
-    for (Index j = 0; j + 1 < width; ++j) {
-      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
+  const Mesh mesh = shapes::moebius(40, 3, 6.4, 3);
   EditableMesh editable(mesh.points, mesh.triangles);
   CHECK(repair_handles(editable, {}).empty());
   CHECK(editable.all().size() == mesh.triangles.size());

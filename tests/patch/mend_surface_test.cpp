@@ -7,16 +7,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "grids.h"
 #include "mesh/enclosure.h"
 #include "mesh_rules.h"
 
 namespace rimline {
 namespace {
 
-struct Mesh {
-  std::vector<Point> points;
-  std::vector<Triangle> triangles;
-};
+using shapes::Mesh;
 
 // A torus of `around` by `through` points.
 Mesh torus(Index around, Index through) {
@@ -130,24 +128,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a Moebius strip stays one-sided") {
-  Mesh mesh;
-  constexpr Index length = 40, width = 6;
-  for (Index i = 0; i < length; ++i) {
-    for (Index j = 0; j < width; ++j) {
-      const double a = 2 * std::numbers::pi * i / length, w = j - 2.5;
-      mesh.points.push_back({(6.4 + w * std::cos(a / 2)) * std::cos(a),
-                             (6.4 + w * std::cos(a / 2)) * std::sin(a), w * std::sin(a / 2)});
-    }
-  }
-  const auto id = [](Index i, Index j) {
-    return i < length ? i * width + j : (i - length) * width + width - 1 - j;
-  };
-  for (Index i = 0; i < length; ++i) {
-    for (Index j = 0; j + 1 < width; ++j) {
-      mesh.triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-      mesh.triangles.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
-    }
-  }
+  const Mesh mesh = shapes::moebius(40, 5, 6.4, 5);
   const auto parts = mend(mesh);
   REQUIRE(parts.size() == 1);
   CHECK_FALSE(parts[0].orientable);
