@@ -6,28 +6,42 @@ import os
 import pathlib
 import subprocess
 import sys
+from collections.abc import Callable
 
 import pytest
 import rimline
 
 
-def mypy(*arguments: object, cwd: pathlib.Path) -> None:
+Mypy = Callable[..., "subprocess.CompletedProcess[str]"]
+
+
+@pytest.fixture(scope="module")
+def mypy(tmp_path_factory: pytest.TempPathFactory) -> Mypy:
+    """Runs it. What it learnt of NumPy and others, most of its time, is kept from one run to the next."""
     pytest.importorskip("mypy")
+    cache = tmp_path_factory.mktemp("mypy")
+
+    def run(*arguments: object, cwd: pathlib.Path) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [sys.executable, "-m", "mypy", "--strict", "--config-file", os.devnull, "--cache-dir", cache,
+             *map(str, arguments)],
+            cwd=cwd, capture_output=True, text=True,
+        )
+
+    return run
+
+
+def test_the_tests(mypy: Mypy, source: pathlib.Path, tmp_path: pathlib.Path) -> None:
     pytest.importorskip("pyvista")
-    run = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--config-file", os.devnull, "--cache-dir", cwd / "cache",
-         *map(str, arguments)],
-        cwd=cwd, capture_output=True, text=True,
-    )
+    run = mypy(source / "python/tests", cwd=tmp_path)
     assert run.returncode == 0, run.stdout + run.stderr
 
 
-def test_the_tests(source: pathlib.Path, tmp_path: pathlib.Path) -> None:
-    mypy(source / "python/tests", cwd=tmp_path)
-
-
-def test_the_package(tmp_path: pathlib.Path) -> None:
-    mypy("-p", "rimline", "--disable-error-code", "import-untyped", "--disable-error-code", "import-not-found", cwd=tmp_path)
+def test_the_package(mypy: Mypy, tmp_path: pathlib.Path) -> None:
+    pytest.importorskip("pyvista")
+    run = mypy("-p", "rimline", "--disable-error-code", "import-untyped", "--disable-error-code", "import-not-found",
+               cwd=tmp_path)
+    assert run.returncode == 0, run.stdout + run.stderr
 
 
 WRONG = """
@@ -45,13 +59,9 @@ rimline.reconstruct(np.zeros((5, 3)), k="x")
 """
 
 
-def test_stubs_know_options_and_shapes(tmp_path: pathlib.Path) -> None:
+def test_stubs_know_options_and_shapes(mypy: Mypy, tmp_path: pathlib.Path) -> None:
     (tmp_path / "wrong.py").write_text(WRONG)
-    pytest.importorskip("mypy")
-    run = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--config-file", os.devnull, "--cache-dir", tmp_path / "cache", "wrong.py"],
-        cwd=tmp_path, capture_output=True, text=True,
-    )
+    run = mypy("wrong.py", cwd=tmp_path)
     lines = [line.split(":")[1] for line in run.stdout.splitlines() if ": error:" in line]
     assert lines == ["10", "11", "12"], run.stdout
     assert (pathlib.Path(rimline.__file__).parent / "py.typed").exists()
