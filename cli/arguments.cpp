@@ -124,7 +124,7 @@ void add_fields(CLI::App& command, MethodArguments& arguments) {
 }
 
 [[noreturn]] void refuse(const std::string& flag, UsedBy used_by, const Options& options) {
-  const std::string chosen = used_by == UsedBy::Capped && options.preset != Preset::Default
+  const std::string chosen = used_by == UsedBy::Capped && counts(UsedBy::Paper, options)
                                  ? std::string("score form ") + name(options.loops.score_form)
                                  : std::string("preset ") + name(options.preset);
   throw Error(ErrorCode::BadOption,
@@ -158,7 +158,7 @@ void check_counts(const MethodArguments& arguments, const Options& options) {
 }  // namespace
 
 Options MethodArguments::options() const {
-  Options result = preset_options(common.preset);
+  Options result = preset_options(preset);
   visit_fields(result, [this](const auto& field) {
     const auto given = fields.find(field.name);
     if (given != fields.end()) parse_field(field, given->second);
@@ -172,7 +172,7 @@ Options MethodArguments::options() const {
 
 std::vector<std::string> MethodArguments::flags_of_mesh() const {
   std::vector<std::string> flags;
-  const Options options = preset_options(common.preset);
+  const Options options = preset_options(preset);
   visit_fields(options, [&](const auto& field) {
     const bool of_mesh = holds(options.map, &field.value) || holds(options.mesh, &field.value);
     if (of_mesh && fields.contains(field.name)) flags.push_back(flag_name(field.name));
@@ -217,10 +217,6 @@ CLI::Option* add_path(CLI::App& command, const std::string& flags, std::string& 
 
 void add_common(CLI::App& command, Common& common) {
   const std::string group = "Run";
-  add_parsed(command, "--preset", "NAME",
-             fmt::format("Set of defaults that other flags change: {}. Default default.",
-                         fmt::join(names_of<Preset>(), ", ")),
-             group, [&](const std::string& text) { common.preset = parse_enum<Preset>("--preset", text); });
   add_parsed(command, "--seed", "N", "Start of every random stream. From 0 to 2^64 - 1. Default 1.", group,
              [&](const std::string& text) { common.seed = parse_seed("--seed", text); });
   add_parsed(command, "--threads", "N",
@@ -309,6 +305,11 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
              "Map (section 5)",
              [&](const std::string& text) { arguments.corners = parse_corners("--corners", text); });
   add_fields(command, arguments);
+  add_parsed(command, "--preset", "NAME",
+             fmt::format("Set of defaults that other flags change: {}. Default default.",
+                         fmt::join(names_of<Preset>(), ", ")),
+             "Run",
+             [&](const std::string& text) { arguments.preset = parse_enum<Preset>("--preset", text); });
   add_common(command, arguments.common);
 }
 

@@ -19,7 +19,6 @@ namespace rimline::cli {
 
 // What every subcommand takes.
 struct Common {
-  Preset preset = Preset::Default;
   std::uint64_t seed = 1;
   int threads = 0;
   std::size_t memory_limit = 0;  // bytes; 0 for none
@@ -35,6 +34,7 @@ struct Input {
 // What the subcommands that run the method take. Empty paths are files that were not asked for.
 struct MethodArguments {
   Common common;
+  Preset preset = Preset::Default;
   Input input;
   std::string output, loops, report, picture, history;
   std::string use_loops;
@@ -71,7 +71,7 @@ void add_input(CLI::App& command, Input& input);
 void add_output(CLI::App& command, std::string& output, const std::string& value,
                 const std::string& description, bool required);
 
-// --loops, --use-loops, --report, --history, --picture, --up and one flag per field of the options.
+// --preset, --loops, --use-loops, --report, --history, --picture, --up and one flag per field of the options.
 void add_method(CLI::App& command, MethodArguments& arguments);
 
 // --reference, --distortion, --uv-picture: what only a mesh can give.

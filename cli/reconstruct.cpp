@@ -78,7 +78,7 @@ Options options_of(const MethodArguments& arguments) {
   const std::string ending = ending_of(arguments.output);
   if (ending != "obj" && ending != "glb")
     throw Error(ErrorCode::BadOption, "--texture-size wants a mesh that ends in .obj or .glb");
-  if (options.preset != Preset::Default || options.map.domain == Domain::None ||
+  if (!counts(UsedBy::Default, options) || !has_map(options.map.domain) ||
       options.map.uv_scale == UvScale::Real) {
     throw Error(
         ErrorCode::BadOption,

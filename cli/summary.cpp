@@ -67,7 +67,7 @@ std::string mesh_lines(const Report& report) {
 
 std::string map_line(const Report& report) {
   std::size_t mapped = 0;
-  for (const ComponentSummary& component : report.components) mapped += component.map != Domain::None;
+  for (const ComponentSummary& component : report.components) mapped += has_map(component.map);
   if (!report.components.empty() && mapped == 0) return line("map", "none");
   std::string text =
       fmt::format("{} unknowns, residual {:.1e}", with_commas(report.map.unknowns), report.map.residual);

@@ -83,6 +83,8 @@ enum class Domain {
 
 // "disc", "square", "rectangle", "free", "none".
 const char* name(Domain domain);
+// Whether there is a map: of any domain but None.
+bool has_map(Domain domain);
 
 // How large the map is. [ours]
 enum class UvScale {

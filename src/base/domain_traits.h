@@ -15,18 +15,21 @@ enum class Outline {
 };
 
 struct DomainTraits {
+  const char* name = "?";
   Outline outline = Outline::None;
   bool square = false;    // of a box: as high as wide; else its height follows from the lengths of the sides
   bool released = false;  // the outline is let go of afterwards: the map has the scale of the surface
+
+  constexpr bool is_mapped() const { return outline != Outline::None; }
 };
 
 constexpr DomainTraits traits(Domain domain) {
   switch (domain) {
-    case Domain::Disc: return {.outline = Outline::Circle};
-    case Domain::Square: return {.outline = Outline::Box, .square = true};
-    case Domain::Rectangle: return {.outline = Outline::Box};
-    case Domain::Free: return {.outline = Outline::Circle, .released = true};
-    case Domain::None: return {};
+    case Domain::Disc: return {.name = "disc", .outline = Outline::Circle};
+    case Domain::Square: return {.name = "square", .outline = Outline::Box, .square = true};
+    case Domain::Rectangle: return {.name = "rectangle", .outline = Outline::Box};
+    case Domain::Free: return {.name = "free", .outline = Outline::Circle, .released = true};
+    case Domain::None: return {.name = "none"};
   }
   return {};  // no value of the enumeration
 }

@@ -26,31 +26,39 @@ constexpr double factor_bytes = 230;  // of the system of a free map and its fac
 constexpr double fixed_bytes = 32e6;  // the program itself
 constexpr double neighbour_bytes = sizeof(Index);
 
+// What a stage takes, besides fixed_bytes.
+struct StageBytes {
+  Stage stage;
+  UsedBy used_by;  // the presets that run it
+  double per_point;
+  bool has_lists = true;  // the lists of neighbours are there as well
+};
+
 std::string gigabytes(double bytes) { return fmt::format("{:.3g} GB", bytes / 1e9); }
 
 }  // namespace
 
 std::vector<StageMemory> estimate_memory(std::size_t points, const Options& options) {
   const double n = static_cast<double>(points);
+  const double solve = solve_bytes + solve_neighbour_bytes * options.map.map_k;
+  const double factor = traits(options.map.domain).released ? factor_bytes * std::log2(n + 2) : 0;
+  const StageBytes all[] = {{Stage::Arrange, UsedBy::All, arrange_bytes, false},
+                            {Stage::Neighbours, UsedBy::All, neighbours_bytes},
+                            {Stage::Boundary, UsedBy::All, boundary_bytes},
+                            {Stage::Survey, UsedBy::Default, survey_bytes},
+                            {Stage::Loops, UsedBy::Default, loops_bytes},
+                            {Stage::Loops, UsedBy::Paper, paper_loops_bytes},
+                            {Stage::Parameterize, UsedBy::Paper, solve},
+                            {Stage::Triangulate, UsedBy::Paper, triangulate_bytes},
+                            {Stage::Refine, UsedBy::Default, refine_bytes + factor},
+                            {Stage::Measure, UsedBy::All, measure_bytes}};
   const double lists = neighbour_bytes * most_neighbours(options);
   std::vector<StageMemory> stages;
-  const auto add = [&](Stage stage, double bytes_per_point) {
-    stages.push_back({stage, static_cast<std::size_t>(fixed_bytes + n * bytes_per_point)});
-  };
-  add(Stage::Arrange, arrange_bytes);
-  add(Stage::Neighbours, neighbours_bytes + lists);
-  add(Stage::Boundary, boundary_bytes + lists);
-  if (options.preset != Preset::Default) {
-    add(Stage::Loops, paper_loops_bytes + lists);
-    add(Stage::Parameterize, solve_bytes + lists + solve_neighbour_bytes * options.map.map_k);
-    add(Stage::Triangulate, triangulate_bytes + lists);
-  } else {
-    const double factor = traits(options.map.domain).released ? factor_bytes * std::log2(n + 2) : 0;
-    add(Stage::Survey, survey_bytes + lists);
-    add(Stage::Loops, loops_bytes + lists);
-    add(Stage::Refine, refine_bytes + lists + factor);
+  for (const StageBytes& stage : all) {
+    if (!counts(stage.used_by, options)) continue;
+    const double per_point = stage.per_point + (stage.has_lists ? lists : 0);
+    stages.push_back({stage.stage, static_cast<std::size_t>(fixed_bytes + n * per_point)});
   }
-  add(Stage::Measure, measure_bytes + lists);
   return stages;
 }
 

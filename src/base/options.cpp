@@ -7,19 +7,14 @@
 #include <cmath>
 #include <map>
 
+#include "base/domain_traits.h"
 #include "base/parse.h"
+#include "base/preset_traits.h"
 #include "rimline/run.h"
 
 namespace rimline {
 
-const char* name(Preset preset) {
-  switch (preset) {
-    case Preset::Default: return "default";
-    case Preset::Paper: return "paper";
-    case Preset::PaperLog: return "paper-log";
-  }
-  return "?";
-}
+const char* name(Preset preset) { return traits(preset).name; }
 
 const char* name(ScoreForm form) {
   switch (form) {
@@ -39,16 +34,9 @@ const char* name(LoopPolicy policy) {
   return "?";
 }
 
-const char* name(Domain domain) {
-  switch (domain) {
-    case Domain::Disc: return "disc";
-    case Domain::Square: return "square";
-    case Domain::Rectangle: return "rectangle";
-    case Domain::Free: return "free";
-    case Domain::None: return "none";
-  }
-  return "?";
-}
+const char* name(Domain domain) { return traits(domain).name; }
+
+bool has_map(Domain domain) { return traits(domain).is_mapped(); }
 
 const char* name(UvScale scale) {
   switch (scale) {
@@ -68,12 +56,12 @@ const char* name(HandlePolicy handles) {
 }
 
 bool counts(UsedBy used_by, const Options& options) {
+  const MethodKind method = traits(options.preset).method;
   switch (used_by) {
     case UsedBy::All: return true;
-    case UsedBy::Default: return options.preset == Preset::Default;
-    case UsedBy::Paper: return options.preset != Preset::Default;
-    case UsedBy::Capped:
-      return options.preset != Preset::Default && options.loops.score_form == ScoreForm::Capped;
+    case UsedBy::Default: return method == MethodKind::Default;
+    case UsedBy::Paper: return method == MethodKind::Paper;
+    case UsedBy::Capped: return method == MethodKind::Paper && options.loops.score_form == ScoreForm::Capped;
   }
   return true;
 }
@@ -89,10 +77,8 @@ std::string where_used(UsedBy used_by) {
 }
 
 int most_neighbours(const Options& options) {
-  constexpr int spacing_k = 6;  // of local_spacing()
-  constexpr int survey_k = 40;  // of what the preset `default` measures
-  if (options.preset == Preset::Default) return std::max(options.boundary.k, survey_k);
-  return std::max({options.boundary.k, options.loops.path_k, options.map.map_k, spacing_k});
+  const int most = std::max(options.boundary.k, traits(options.preset).least_neighbours);
+  return counts(UsedBy::Paper, options) ? std::max({most, options.loops.path_k, options.map.map_k}) : most;
 }
 
 std::string name(const HolePolicy& holes) {
@@ -130,7 +116,7 @@ HolePolicy parse_holes(std::string_view text) {
 Options preset_options(Preset preset) {
   Options options;
   options.preset = preset;
-  options.loops.score_form = preset == Preset::Paper ? ScoreForm::Capped : ScoreForm::Log;
+  options.loops.score_form = traits(preset).score_form;
   return options;
 }
 
@@ -155,7 +141,7 @@ void check_used(const Options& options) {
     const bool is_default = static_cast<double>(field.value) == defaults.at(field.name);
     if (!is_default && !counts(field.used_by, options)) refuse_unused(field.name, field.used_by, options);
   });
-  if (options.preset == Preset::Default) return;
+  if (counts(UsedBy::Default, options)) return;
   if (options.mesh.holes.fill) refuse_unused("holes", UsedBy::Default, options);
   if (options.map.corners[0] != none) refuse_unused("corners", UsedBy::Default, options);
 }

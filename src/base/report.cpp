@@ -66,7 +66,7 @@ Json search_json(const Options& options, const SearchSummary& search) {
     best.push_back(g.best);
     mean.push_back(g.mean);
   }
-  if (options.preset == Preset::Default) {
+  if (counts(UsedBy::Default, options)) {
     return {{"doubtful_triangles", search.doubtful},
             {"groups", search.groups},
             {"greedy_fitness", search.greedy_fitness},

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/domain_traits.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 #include "map/atlas.h"
@@ -68,7 +69,7 @@ void append(Chart& chart, const std::vector<Triangle>& triangles, ChartedMap& ma
     }
     if (map.turned[t]) std::swap(map.corners[t][1], map.corners[t][2]);
   }
-  if (chart.map->kind == Domain::Disc) map.kind = Domain::Disc;
+  if (!traits(chart.map->kind).released) map.kind = chart.map->kind;
   map.summary.unknowns += chart.map->summary.unknowns;
   map.summary.iterations += chart.map->summary.iterations;
   map.summary.residual = std::max(map.summary.residual, chart.map->summary.residual);

@@ -33,7 +33,7 @@ void check_topology(Points points, const Stars& stars) {
 
 Triangulation first_of_stars(Points points, const Neighbours& neighbours, const Stars* known,
                              const std::vector<Loop>& loops, std::vector<UV>& uv, const Run& run) {
-  const Stars own = known == nullptr ? find_stars(points, neighbours, {}, {}, run) : Stars{};
+  const Stars own = known == nullptr ? find_weighted_stars(points, neighbours, run) : Stars{};
   const Stars& stars = known == nullptr ? own : *known;
   Triangulation mesh = first_mesh(points, neighbours, stars, loops, uv, run);
   flip_edges(points, mesh, run);
@@ -104,7 +104,7 @@ Filled fill(Points points, Triangulation mesh, const std::vector<Loop>& loops,
 Patch map_patch(Points points, Triangulation mesh, const std::vector<Loop>& loops, std::vector<UV> uv,
                 const RefineOptions& options, const Run& run) {
   Patch patch;
-  if (options.domain != Domain::None && !options.map_later) {
+  if (has_map(options.domain) && !options.map_later) {
     FinalMap map = final_map(points, mesh, loops, options, std::move(uv), run);
     patch.uv = std::move(map.uv);
     patch.domain = map.kind;
@@ -165,7 +165,7 @@ Patch refine_patch(Points points, const Neighbours& neighbours, const Stars* sta
   return arena.execute([&] {
     run.check_cancel();
     std::vector<UV> uv = outline_on_circle(points, loops);
-    const bool map_is_needed = !first || options.domain != Domain::None;
+    const bool map_is_needed = !first || has_map(options.domain);
     if (!first) first = first_of_stars(points, neighbours, stars, loops, uv, run);
     Refined refined = refine_rounds(points, neighbours, loops, std::move(*first), std::move(uv),
                                     map_is_needed ? options.rounds : 1, run);

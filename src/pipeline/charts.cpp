@@ -208,7 +208,7 @@ MappedMesh with_chart_a_component(MappedMesh mesh) {
   std::vector<Index> chart_of(mesh.components.size(), none);
   Index charts = 0;
   for (std::size_t c = 0; c < mesh.components.size(); ++c) {
-    if (mesh.components[c].map == Domain::None || mesh.components[c].triangles == 0) continue;
+    if (!has_map(mesh.components[c].map) || mesh.components[c].triangles == 0) continue;
     chart_of[c] = charts++;
     mesh.components[c].charts = 1;
   }
@@ -221,15 +221,15 @@ MappedMesh with_chart_a_component(MappedMesh mesh) {
 }  // namespace
 
 MappedMesh map_charts(MappedMesh mesh, const ParameterizeOptions& options, const Run& run) {
-  if (options.domain == Domain::None) return with_chart_a_component(std::move(mesh));
-  const bool all_mapped = std::ranges::none_of(
-      mesh.components, [](const auto& c) { return c.triangles > 0 && c.map == Domain::None; });
+  if (!has_map(options.domain)) return with_chart_a_component(std::move(mesh));
+  const bool all_mapped =
+      std::ranges::none_of(mesh.components, [](const auto& c) { return c.triangles > 0 && !has_map(c.map); });
   if (all_mapped && options.uv_scale == UvScale::Domain) return with_chart_a_component(std::move(mesh));
   std::vector<Part> parts = parts_of(mesh);
   std::vector<std::size_t> charted;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (parts[p].triangles.empty()) continue;
-    if (mesh.components[p].map == Domain::None) {
+    if (!has_map(mesh.components[p].map)) {
       charted.push_back(p);
     } else {
       keep_map(mesh, p, parts[p]);

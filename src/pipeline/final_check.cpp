@@ -19,8 +19,7 @@ void drop_turned_maps(MappedMesh& mesh) {
   std::vector<char> turned(mesh.components.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Index c = mesh.triangle_patch[t];
-    if (mesh.components[c].map != Domain::None && !(twice_area(mesh.uv, mesh.triangles[t]) > 0))
-      turned[c] = 1;
+    if (has_map(mesh.components[c].map) && !(twice_area(mesh.uv, mesh.triangles[t]) > 0)) turned[c] = 1;
   }
   const auto count = std::ranges::count(turned, 1);
   if (count == 0) return;

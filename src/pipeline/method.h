@@ -43,7 +43,7 @@ struct Method {
 const Method& method_of_the_paper();
 const Method& default_method();
 
-// The one place that asks for the preset.
+// The method is chosen here and nowhere else.
 const Method& method_of(Preset preset);
 
 }  // namespace rimline::pipeline

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/domain_traits.h"
+
 namespace rimline::pipeline {
 namespace {
 
@@ -62,17 +64,17 @@ std::vector<std::string> warn_of_components(const std::vector<PatchReport>& patc
 }
 
 std::vector<std::string> warn_of_maps(const std::vector<ComponentSummary>& components, Domain wanted) {
-  if (wanted == Domain::None) return {};
-  const auto is_mapped = [](const ComponentSummary& c) { return c.map != Domain::None; };
+  if (!has_map(wanted)) return {};
+  const auto is_mapped = [](const ComponentSummary& c) { return has_map(c.map); };
   const auto none = [&](const ComponentSummary& c) { return c.triangles > 0 && !is_mapped(c); };
   const auto free = [&](const ComponentSummary& c) {
-    return c.map == Domain::Free && wanted != Domain::Free;
+    return traits(c.map).released && !traits(wanted).released;
   };
   const auto disc = [&](const ComponentSummary& c) { return is_mapped(c) && c.map != wanted && !free(c); };
   const std::string no_map = " no map: every one that was made turns triangles over";
   const std::string of_charts =
       " a free map, of one chart or several: not a disc with holes, or squeezed too far in " +
-      std::string(wanted == Domain::Disc ? "the disc" : "the domain");
+      std::string("the ") + name(wanted);
   const std::string of_disc =
       " the disc's map, at the area of the surface: no free map without turned triangles was found";
   std::vector<std::string> told{tell(components, none, "has" + no_map, "have" + no_map),

@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <set>
+#include <string>
+
 namespace rimline {
 namespace {
 
@@ -12,6 +15,16 @@ TEST_CASE("a square and a rectangle have corners, a disc and a free map have non
   CHECK(traits(Domain::Disc).outline == Outline::Circle);
   CHECK(traits(Domain::Free).outline == Outline::Circle);
   CHECK(traits(Domain::None).outline == Outline::None);
+}
+
+TEST_CASE("every domain but none has a map, and all have names of their own") {
+  std::set<std::string> names;
+  for (const Domain domain : {Domain::Disc, Domain::Square, Domain::Rectangle, Domain::Free, Domain::None}) {
+    CHECK(has_map(domain) == (domain != Domain::None));
+    names.insert(name(domain));
+  }
+  CHECK(names.size() == 5);
+  CHECK_FALSE(names.contains("?"));
 }
 
 TEST_CASE("only a free map lets its outline go, and only a square is as high as wide") {

@@ -157,6 +157,28 @@ TEST_CASE("no file has more than 400 lines or more than 12 includes of ours") {
   }
 }
 
+TEST_CASE("single domains and presets are asked for in their traits alone") {
+  const auto asks = [](const std::string& text) {
+    for (const std::string question : {"== ", "!= ", "case "}) {
+      for (const std::string kind : {"Domain::", "Preset::"}) {
+        if (text.find(question + kind) != std::string::npos) return true;
+      }
+    }
+    return false;
+  };
+  int traits = 0;
+  for (const std::string folder : {"src", "cli"}) {
+    for (const fs::path& file : code_below(folder)) {
+      const bool found = asks(read_file((root / file).string()));
+      const std::string name = file.filename().string();
+      CAPTURE(file.string());
+      CHECK(found == (name == "domain_traits.h" || name == "preset_traits.h"));
+      traits += found;
+    }
+  }
+  CHECK(traits == 2);
+}
+
 TEST_CASE("nothing of ours includes a header under its former name") {
   std::set<std::string> former;
   for (const fs::path& file : code_below("include/deprecated"))

@@ -44,10 +44,23 @@ TEST_CASE("the help of the tool and of every subcommand begins with an example")
     CHECK(help.status == 0);
     CHECK(help.err.empty());
     CHECK(help.out.starts_with("Example: rimline " + name + " "));
-    for (const char* flag : {"--preset", "--seed", "--threads", "--quiet", "--help", "--version"}) {
+    for (const char* flag : {"--seed", "--threads", "--quiet", "--help", "--version"}) {
       CAPTURE(flag);
       CHECK(contains(help.out, flag));
     }
+    const bool has_method = std::ranges::find(method_subcommands, name) != std::end(method_subcommands);
+    CHECK(contains(help.out, "--preset") == has_method);
+  }
+}
+
+TEST_CASE("info and sample, which run no method, refuse a preset") {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"info", "no.ply"}, {"sample", "pipe", "-n", "50", "-o", "no.ply"}}) {
+    std::vector<std::string> with_preset = arguments;
+    with_preset.insert(with_preset.end(), {"--preset", "paper"});
+    const Finished run = rimline::test::rimline(with_preset);
+    CHECK(run.status == 1);
+    CHECK(contains(run.err, "--preset"));
   }
 }
 
