@@ -40,7 +40,7 @@ std::optional<std::pair<Index, Index>> opening(Points points, Index at, Star sta
 
 }  // namespace
 
-EdgeSet mutual_edges(Points points, const DelaunayStars& stars, const std::vector<double>& spacing) {
+EdgeSet mutual_edges(Points points, const Stars& stars, const std::vector<double>& spacing) {
   std::vector<Edge> named;
   for (Index p = 0; p < static_cast<Index>(stars.size()); ++p) {
     const auto found = opening(points, p, stars[p], largest * spacing[p]);

@@ -13,7 +13,7 @@ namespace rimline::bench {
 // The triangles of a point's star up to 1.7 spacings in circumradius form a fan; where exactly one opening is
 // left, the two edges at it are where the boundary enters and leaves the point. Returned are the edges that
 // both of their ends name.
-EdgeSet mutual_edges(Points points, const DelaunayStars& stars, const std::vector<double>& spacing);
+EdgeSet mutual_edges(Points points, const Stars& stars, const std::vector<double>& spacing);
 
 // The connected pieces of the edges that are closed loops: each point has two edges. The others are lost.
 LoopIds closed_arcs(const EdgeSet& edges);

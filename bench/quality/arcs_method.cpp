@@ -48,7 +48,7 @@ void find_arcs(const Case& c, Outcome& outcome) {
   const auto& points = p.arrangement.points;
   const auto spacing = local_spacing(points, p.neighbours);
   const auto frames = fit_frames(points, p.neighbours, one_thread());
-  const auto stars = find_delaunay_stars(points, p.neighbours, spacing, frames, one_thread());
+  const auto stars = find_stars(points, p.neighbours, spacing, frames, one_thread());
   take_loops(closed_arcs(mutual_edges(points, stars, spacing)), p.arrangement, outcome);
 }
 

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <utility>
 
 #include "base/model.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 #include "local/own_frame.h"
+#include "local/voronoi_cell.h"
 
 namespace rimline {
 namespace {
@@ -26,159 +25,6 @@ double tie_weight(Point p, const OwnFrame& frame, double spacing) {
   return 5e-8 * spacing * spacing * (1 + wave);                           // [guard] below all that counts
 }
 
-// The Voronoi cell of one point after another. Corners are relative to the point, each with the neighbour
-// whose bisector is the side that leaves it; a coordinate an array, so that a bisector is held against
-// several at once.
-class Cell {
- public:
-  Cell() { reserve(few); }
-
-  // A square.
-  void reset(double half_width) {
-    count_ = 4;
-    constexpr double x[] = {-1, 1, 1, -1}, y[] = {-1, -1, 1, 1};
-    for (int i = 0; i < 4; ++i) now_.put(i, half_width * x[i], half_width * y[i], none);
-    radius_squared_ = 2 * half_width * half_width;
-  }
-
-  double radius_squared() const { return radius_squared_; }
-  std::span<const Index> sides() const { return {now_.side.data(), count_}; }
-
-  // Keeps a x + b y <= c.
-  void cut(double a, double b, double c, Index side) {
-    if (count_ > few) return cut_many(a, b, c, side);
-    std::uint32_t beyond = 0;  // a bit for each corner that goes
-    for (std::size_t i = 0; i < count_; ++i) {
-      beyond_[i] = a * now_.x[i] + b * now_.y[i] - c;
-      beyond |= static_cast<std::uint32_t>(beyond_[i] > 0) << i;
-    }
-    if (beyond == 0) return;
-    const std::uint32_t all = (std::uint32_t{1} << count_) - 1;
-    const std::uint32_t before = beyond << 1 | beyond >> (count_ - 1);  // the bit of the corner before each
-    const std::uint32_t first = beyond & ~before & all, kept = before & ~beyond & all;
-    // Corners in a row go; all of them, or several rows, where rounding bends a side.
-    if (first != 0 && (first & (first - 1)) == 0) {
-      cut_row(static_cast<std::size_t>(std::countr_zero(first)),
-              static_cast<std::size_t>(std::countr_zero(kept)), side);
-    } else {
-      clip(side);
-    }
-  }
-
- private:
-  static constexpr std::size_t few = 16;  // corners of nearly all cells [speed]
-
-  struct Corners {
-    std::vector<double> x, y;
-    std::vector<Index> side;
-
-    void put(std::size_t i, double at_x, double at_y, Index leaving) {
-      x[i] = at_x, y[i] = at_y, side[i] = leaving;
-    }
-    // Moves the corners from one place on to another: always as many, which spares a loop of unknown length.
-    void move(std::size_t from, std::size_t to) {
-      move_few(x.data() + from, x.data() + to);
-      move_few(y.data() + from, y.data() + to);
-      move_few(side.data() + from, side.data() + to);
-    }
-    template <class Item>
-    static void move_few(const Item* from, Item* to) {
-      Item items[few];
-      std::memcpy(items, from, sizeof(items));
-      std::memcpy(to, items, sizeof(items));
-    }
-  };
-  struct Corner {
-    double x, y;
-  };
-
-  // Where the bisector meets the side from corner i to corner j.
-  Corner meet(std::size_t i, std::size_t j) const {
-    const double t = beyond_[i] / (beyond_[i] - beyond_[j]);
-    return {now_.x[i] + t * (now_.x[j] - now_.x[i]), now_.y[i] + t * (now_.y[j] - now_.y[i])};
-  }
-
-  // Cuts off the corners from `first` to the one before `kept`, by way of corner 0 where `kept` is not above.
-  void cut_row(std::size_t first, std::size_t kept, Index side) {
-    const std::size_t before = first == 0 ? count_ - 1 : first - 1, last = kept == 0 ? count_ - 1 : kept - 1;
-    const Corner in = meet(before, first), out = meet(last, kept);
-    const Index out_side = now_.side[last];
-    if (first < kept) {
-      const std::size_t row = kept - first;
-      if (first == 0) {  // both new corners lie between the last one and the first that is kept
-        now_.move(kept, 1);
-        now_.put(0, out.x, out.y, out_side);
-        now_.put(count_ - row + 1, in.x, in.y, side);
-      } else {
-        now_.move(kept, first + 2);
-        now_.put(first, in.x, in.y, side);
-        now_.put(first + 1, out.x, out.y, out_side);
-      }
-      count_ = count_ - row + 2;
-    } else {
-      now_.move(kept, kept == 0 ? 0 : 1);
-      if (kept != 0) now_.put(0, out.x, out.y, out_side);
-      count_ = first - kept + 2;
-      if (kept == 0) {
-        now_.put(count_ - 2, in.x, in.y, side);
-        now_.put(count_ - 1, out.x, out.y, out_side);
-      } else {
-        now_.put(count_ - 1, in.x, in.y, side);
-      }
-    }
-    reserve(count_);
-    measure();
-  }
-
-  // The same as cut(), for any number of corners.
-  void cut_many(double a, double b, double c, Index side) {
-    double farthest = a * now_.x[0] + b * now_.y[0] - c;
-    for (std::size_t i = 0; i < count_; ++i) {
-      beyond_[i] = a * now_.x[i] + b * now_.y[i] - c;
-      farthest = std::max(farthest, beyond_[i]);
-    }
-    if (farthest > 0) clip(side);
-  }
-
-  // Whichever corners go.
-  void clip(Index side) {
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      const std::size_t j = next_in(i, count_);
-      if (beyond_[i] <= 0) next_.put(next++, now_.x[i], now_.y[i], now_.side[i]);
-      if ((beyond_[i] <= 0) == (beyond_[j] <= 0)) continue;
-      const Corner corner = meet(i, j);
-      next_.put(next++, corner.x, corner.y, beyond_[i] <= 0 ? side : now_.side[i]);
-    }
-    count_ = next;
-    std::swap(now_, next_);
-    reserve(count_);
-    measure();
-  }
-
-  // Room for any cut of that many corners: where rounding bends sides it may add half as many.
-  void reserve(std::size_t count) {
-    if (beyond_.size() >= 2 * count + few) return;
-    beyond_.resize(4 * count + few);
-    for (Corners* corners : {&now_, &next_}) {
-      corners->x.resize(beyond_.size());
-      corners->y.resize(beyond_.size());
-      corners->side.resize(beyond_.size());
-    }
-  }
-  void measure() {
-    radius_squared_ = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      radius_squared_ = std::max(radius_squared_, now_.x[i] * now_.x[i] + now_.y[i] * now_.y[i]);
-    }
-  }
-
-  std::size_t count_ = 0;
-  Corners now_, next_;
-  std::vector<double> beyond_;
-  double radius_squared_ = 0;
-};
-
 // The bisectors of a point and a few others, in its tangent plane: those (x, y) with a x + b y = c.
 struct Bisectors {
   static constexpr std::size_t most = 8;  // [speed] lanes
@@ -187,11 +33,22 @@ struct Bisectors {
   std::array<double, most> steep;    // not negative where it is on another sheet
 };
 
-class StarFinder {
+// How far a cell reaches where no neighbour bounds it.
+enum class Reach {
+  Far,        // 20 spacings: farther than any triangle that can be kept
+  WithinList  // as far as the last neighbour
+};
+
+class CellCutter {
  public:
-  StarFinder(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
-             const std::vector<Frame>& frames, const Run& run)
-      : points_(points), neighbours_(neighbours), spacing_(spacing), frames_(frames), weight_(points.size()) {
+  CellCutter(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+             const std::vector<Frame>& frames, Reach reach, const Run& run)
+      : points_(points),
+        neighbours_(neighbours),
+        spacing_(spacing),
+        frames_(frames),
+        reach_(reach),
+        weight_(points.size()) {
     const OwnFrame own = own_frame(points, run);
     parallel_for_each(points.size(), Stage::Survey, run,
                       [&](Index i) { weight_[i] = tie_weight(points[i], own, spacing[i]); });
@@ -199,24 +56,31 @@ class StarFinder {
 
   // Cuts the cell of a point with its neighbours. Returns whether one of them was too far to reach the cell:
   // then all that are farther are, too.
-  bool cut_by_own(Cell& cell, Index self) const {
-    constexpr double half_width = 20;  // spacings: far beyond any triangle that can be kept [guard]
-    cell.reset(half_width * spacing_[self]);
+  bool cut_by_own(VoronoiCell& cell, Index self) const {
+    constexpr double far = 20;  // spacings [guard]
+    const bool is_far = reach_ == Reach::Far;
+    cell.reset(is_far ? far * spacing_[self] : distance_to(points_, neighbours_, self, neighbours_.k - 1));
     return cut_by(cell, self, neighbours_.of(self));
   }
 
   // The same with others, nearest first.
-  bool cut_by(Cell& cell, Index self, std::span<const Index> others) const {
+  bool cut_by(VoronoiCell& cell, Index self, std::span<const Index> others) const {
     for (; !others.empty(); others = others.subspan(std::min(Bisectors::most, others.size()))) {
       const std::size_t count = std::min(Bisectors::most, others.size());
       const Bisectors bisectors = bisectors_of(self, others.first(count));
       for (std::size_t i = 0; i < count; ++i) {
-        if (bisectors.squared[i] > 4 * cell.radius_squared()) return true;
+        if (cell.is_settled(bisectors.squared[i])) return true;
         if (bisectors.steep[i] > 0) continue;
         cell.cut(bisectors.a[i], bisectors.b[i], bisectors.c[i], others[i]);
       }
     }
     return false;
+  }
+
+  // Of a side of a cell: its length over the distance of the neighbour beyond it; 0 where there is none.
+  double weight(const VoronoiCell& cell, Index self, std::size_t side) const {
+    const Index beyond = cell.sides()[side];
+    return beyond == none ? 0 : cell.side_length(side) / distance(points_[self], points_[beyond]);
   }
 
  private:
@@ -252,6 +116,7 @@ class StarFinder {
   const Neighbours& neighbours_;
   const std::vector<double>& spacing_;
   const std::vector<Frame>& frames_;
+  Reach reach_;
   std::vector<double> weight_;
 };
 
@@ -276,79 +141,134 @@ std::vector<OneWay> find_one_way(Points points, const Neighbours& neighbours,
 // Stars of points in a row.
 struct Row {
   std::vector<Index> ids;
+  std::vector<double> weights;
   std::vector<Index>
       open;  // the points whose lists end within reach of their cells; their stars are left out
 };
 
 constexpr std::size_t points_in_row = 4096;  // [speed]
 
-void append_star(const Cell& cell, std::vector<Index>& ids) {
-  ids.insert(ids.end(), cell.sides().begin(), cell.sides().end());
+// Calls body(r, first, last) for each row r of the points from `first` to `last` - 1.
+template <class Body>
+void for_each_row(std::size_t points, const Run& run, const Body& body) {
+  const std::size_t rows = (points + points_in_row - 1) / points_in_row;
+  const auto body_of_row = [&](std::size_t r) {
+    body(r, static_cast<Index>(r * points_in_row),
+         static_cast<Index>(std::min(points, (r + 1) * points_in_row)));
+  };
+  parallel_slices(
+      rows, Stage::Survey, run,
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t r = first; r < last; ++r) body_of_row(r);
+      },
+      1);
 }
 
-}  // namespace
+class StarFinder {
+ public:
+  StarFinder(const CellCutter& cutter, Points points, const Neighbours& neighbours, bool with_weights,
+             const Run& run)
+      : cutter_(cutter),
+        points_(points),
+        neighbours_(neighbours),
+        with_weights_(with_weights),
+        run_(run),
+        closed_((points.size() + points_in_row - 1) / points_in_row),
+        open_(closed_.size()),
+        size_(points.size()),
+        is_open_(points.size(), 0) {}
 
-DelaunayStars find_delaunay_stars(Points points, const Neighbours& neighbours,
-                                  const std::vector<double>& spacing, const std::vector<Frame>& frames,
-                                  const Run& run) {
-  const std::size_t count = points.size();
-  const StarFinder finder(points, neighbours, spacing, frames, run);
-  std::vector<Row> rows((count + points_in_row - 1) / points_in_row);
-  std::vector<std::uint32_t> size(count);
-  std::vector<std::uint8_t> is_open(count, 0);
-  const auto for_each_row = [&](const auto& body) {
-    parallel_slices(
-        rows.size(), Stage::Survey, run,
-        [&](std::size_t first, std::size_t last) {
-          for (std::size_t r = first; r < last; ++r) {
-            body(rows[r], static_cast<Index>(r * points_in_row),
-                 static_cast<Index>(std::min(count, (r + 1) * points_in_row)));
-          }
-        },
-        1);
-  };
-  for_each_row([&](Row& row, Index first, Index last) {
-    Cell cell;
-    for (Index i = first; i < last; ++i) {
-      if (finder.cut_by_own(cell, i)) {
-        append_star(cell, row.ids);
-        size[i] = static_cast<std::uint32_t>(cell.sides().size());
-      } else {
-        row.open.push_back(i);
-        is_open[i] = 1;
+  Stars find() {
+    cut_by_own_lists();
+    cut_open_ones();
+    return gathered();
+  }
+
+ private:
+  void append(const VoronoiCell& cell, Index self, Row& row) {
+    row.ids.insert(row.ids.end(), cell.sides().begin(), cell.sides().end());
+    size_[self] = static_cast<std::uint32_t>(cell.sides().size());
+    if (!with_weights_) return;
+    for (std::size_t side = 0; side < cell.sides().size(); ++side)
+      row.weights.push_back(cutter_.weight(cell, self, side));
+  }
+
+  void cut_by_own_lists() {
+    for_each_row(points_.size(), run_, [&](std::size_t r, Index first, Index last) {
+      VoronoiCell cell;
+      for (Index i = first; i < last; ++i) {
+        if (cutter_.cut_by_own(cell, i)) {
+          append(cell, i, closed_[r]);
+        } else {
+          closed_[r].open.push_back(i);
+          is_open_[i] = 1;
+        }
       }
-    }
-  });
+    });
+  }
 
   // Only where the own list ends too early can those who have the point in theirs cut its cell: they are
   // farther than all of the list.
-  const std::vector<OneWay> one_way = find_one_way(points, neighbours, is_open, run);
-  std::vector<Row> open_rows(rows.size());
-  for_each_row([&](Row& row, Index first, Index) {
-    Cell cell;
-    for (const Index i : row.open) {
-      finder.cut_by_own(cell, i);
-      auto other = std::lower_bound(one_way.begin(), one_way.end(), OneWay{i, 0});
-      for (; other != one_way.end() && other->first == i; ++other)
-        finder.cut_by(cell, i, {&other->second, 1});
-      append_star(cell, open_rows[first / points_in_row].ids);
-      size[i] = static_cast<std::uint32_t>(cell.sides().size());
-    }
-  });
+  void cut_open_ones() {
+    const std::vector<OneWay> one_way = find_one_way(points_, neighbours_, is_open_, run_);
+    for_each_row(points_.size(), run_, [&](std::size_t r, Index, Index) {
+      VoronoiCell cell;
+      for (const Index i : closed_[r].open) {
+        cutter_.cut_by_own(cell, i);
+        auto other = std::lower_bound(one_way.begin(), one_way.end(), OneWay{i, 0});
+        for (; other != one_way.end() && other->first == i; ++other)
+          cutter_.cut_by(cell, i, {&other->second, 1});
+        append(cell, i, open_[r]);
+      }
+    });
+  }
 
-  std::vector<std::size_t> start(count + 1, 0);
-  for (std::size_t i = 0; i < count; ++i) start[i + 1] = start[i] + size[i];
-  UnfilledVector<Index> ids(start[count]);
-  for_each_row([&](Row& row, Index first, Index last) {
-    auto closed = row.ids.begin(), open = open_rows[first / points_in_row].ids.begin();
-    for (Index i = first; i < last; ++i) {
-      auto& from = is_open[i] ? open : closed;
-      std::copy_n(from, size[i], ids.begin() + start[i]);
-      from += size[i];
-    }
-    row = {};
-  });
-  return {std::move(start), std::move(ids)};
+  // One array of all, in the order of the points.
+  Stars gathered() {
+    std::vector<std::size_t> start(points_.size() + 1, 0);
+    for (std::size_t i = 0; i < points_.size(); ++i) start[i + 1] = start[i] + size_[i];
+    UnfilledVector<Index> ids(start.back());
+    UnfilledVector<double> weights(with_weights_ ? start.back() : 0);
+    for_each_row(points_.size(), run_, [&](std::size_t r, Index first, Index last) {
+      std::size_t closed = 0, open = 0;  // places in the row's arrays
+      for (Index i = first; i < last; ++i) {
+        const Row& from = is_open_[i] ? open_[r] : closed_[r];
+        std::size_t& at = is_open_[i] ? open : closed;
+        std::copy_n(from.ids.begin() + static_cast<std::ptrdiff_t>(at), size_[i], ids.begin() + start[i]);
+        if (with_weights_)
+          std::copy_n(from.weights.begin() + static_cast<std::ptrdiff_t>(at), size_[i],
+                      weights.begin() + start[i]);
+        at += size_[i];
+      }
+      closed_[r] = {};
+    });
+    return {std::move(start), std::move(ids), std::move(weights)};
+  }
+
+  const CellCutter& cutter_;
+  Points points_;
+  const Neighbours& neighbours_;
+  bool with_weights_;
+  const Run& run_;
+  std::vector<Row> closed_, open_;
+  std::vector<std::uint32_t> size_;
+  std::vector<std::uint8_t> is_open_;
+};
+
+}  // namespace
+
+Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                 const std::vector<Frame>& frames, const Run& run) {
+  const CellCutter cutter(points, neighbours, spacing, frames, Reach::Far, run);
+  return StarFinder(cutter, points, neighbours, false, run).find();
+}
+
+Stars find_weighted_stars(Points points, const Neighbours& neighbours, const Run& run) {
+  const Run silent = run.without_progress();  // a part of whichever stage asks
+  const std::vector<double> spacing = local_spacing(points, neighbours, silent);
+  const std::vector<Frame> frames = fit_frames(points, neighbours, silent);
+  const CellCutter cutter(points, neighbours, spacing, frames, Reach::WithinList, silent);
+  return StarFinder(cutter, points, neighbours, true, silent).find();
 }
 
 }  // namespace rimline

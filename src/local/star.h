@@ -20,30 +20,41 @@ namespace rimline {
 using Star = std::span<const Index>;
 
 // One star per point, one after another in one array.
-class DelaunayStars {
+class Stars {
  public:
-  // Star i is ids[start[i]] to ids[start[i + 1] - 1].
-  DelaunayStars(std::vector<std::size_t> start, UnfilledVector<Index> ids)
-      : start_(std::move(start)), ids_(std::move(ids)) {}
+  Stars() = default;
+  // Star i is ids[start[i]] to ids[start[i + 1] - 1]; weights likewise, or empty.
+  Stars(std::vector<std::size_t> start, UnfilledVector<Index> ids, UnfilledVector<double> weights = {})
+      : start_(std::move(start)), ids_(std::move(ids)), weights_(std::move(weights)) {}
 
   std::size_t size() const { return start_.size() - 1; }
   Star operator[](std::size_t i) const { return {ids_.data() + start_[i], start_[i + 1] - start_[i]}; }
   std::size_t start(std::size_t i) const { return start_[i]; }
+  // Of each neighbour, in the same order.
+  std::span<const double> weights(std::size_t i) const {
+    return {weights_.data() + start_[i], start_[i + 1] - start_[i]};
+  }
 
  private:
-  std::vector<std::size_t> start_;
+  std::vector<std::size_t> start_{0};
   UnfilledVector<Index> ids_;
+  UnfilledVector<double> weights_;
 };
 
-// The point's neighbours, and those that have it as theirs, are laid out in its tangent
-// plane at their true distance; its Voronoi cell is cut out of the plane by their bisectors, nearest first,
-// and the bisectors that bound the cell name the star. Needs about one microsecond a point; no general
-// Delaunay triangulation is built.
+// The point's neighbours, and those that have it as theirs, are laid out in its tangent plane at their true
+// distance. Its Voronoi cell is cut out of the plane by their bisectors, nearest first; the bisectors that
+// bound the cell name the star. Needs about one microsecond a point; no general Delaunay triangulation is
+// built. The stars have no weights.
 //
 // Neighbours in lists of each other are needed at density borders: a point on the dense side does not have
 // those of the sparse side among its nearest, but they have it.
-DelaunayStars find_delaunay_stars(Points points, const Neighbours& neighbours,
-                                  const std::vector<double>& spacing, const std::vector<Frame>& frames,
-                                  const Run& run);
+Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
+                 const std::vector<Frame>& frames, const Run& run);
+
+// The same stars within the lists of neighbours, with the weights of natural neighbours: the length of the
+// common side of two cells over the distance of their points. They are positive, and exact for linear
+// functions where the cell is closed and flat (Sibson 1981; Belikov et al. 1997). [ours: the paper's
+// reciprocal distances to k neighbours reach across walls and holes]
+Stars find_weighted_stars(Points points, const Neighbours& neighbours, const Run& run);
 
 }  // namespace rimline

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "local/voronoi_stars.h"
+#include "local/star.h"
 #include "rimline/mesh.h"
 #include "rimline/report.h"
 #include "solve/sparse.h"

@@ -15,11 +15,12 @@ std::vector<WeightedEdge> star_edges(const Stars& stars) {
   // Four points on a circle leave a common edge of length zero: not a neighbour.
   constexpr double least = 1e-6, most = 100;
   std::vector<WeightedEdge> edges;
-  edges.reserve(stars.neighbours.size());
-  for (Index i = 0; i + 1 < static_cast<Index>(stars.offsets.size()); ++i) {
-    for (Index e = stars.offsets[i]; e < stars.offsets[i + 1]; ++e) {
-      const double weight = stars.weights[e];
-      if (weight > least) edges.push_back({i, stars.neighbours[e], 0.5 * std::min(weight, most)});
+  edges.reserve(stars.start(stars.size()));
+  for (Index i = 0; i < static_cast<Index>(stars.size()); ++i) {
+    const Star star = stars[i];
+    const std::span<const double> weights = stars.weights(i);
+    for (std::size_t e = 0; e < star.size(); ++e) {
+      if (weights[e] > least) edges.push_back({i, star[e], 0.5 * std::min(weights[e], most)});
     }
   }
   return edges;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "local/voronoi_stars.h"
+#include "local/star.h"
 #include "map/graph.h"
 #include "mesh/triangulation.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "local/voronoi_stars.h"
+#include "local/star.h"
 #include "mesh/triangulation.h"
 
 namespace rimline {

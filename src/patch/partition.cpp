@@ -28,14 +28,14 @@ std::vector<Index> loops_of_points(const Separated& outline, Index point_count) 
 }
 
 bool names(const Stars& stars, Index from, Index to) {
-  const std::span<const Index> star = stars.of(from);
+  const std::span<const Index> star = stars[from];
   return std::find(star.begin(), star.end(), to) != star.end();
 }
 
 void join_mutual(const Stars& stars, const std::vector<Index>& loop_of, UnionFind& parts) {
   for (Index i = 0; i < static_cast<Index>(loop_of.size()); ++i) {
     if (loop_of[i] == shared) continue;
-    for (const Index j : stars.of(i)) {
+    for (const Index j : stars[i]) {
       if (j <= i || loop_of[j] == shared) continue;
       if (loop_of[i] != none && loop_of[j] != none) continue;  // cells at a rim reach over gaps
       if (names(stars, j, i)) parts.join(i, j);
@@ -91,7 +91,7 @@ void join_one_sided(const Stars& stars, const std::vector<Index>& loop_of, const
     std::vector<char> bounded = bounded_parts(loop_of, loops, triangles, parts);
     for (Index i = 0; i < n; ++i) {
       if (loop_of[i] == shared) continue;
-      for (const Index j : stars.of(i)) {
+      for (const Index j : stars[i]) {
         if (j == none || loop_of[j] == shared) continue;
         const Index a = parts.find(i), b = parts.find(j);
         if (bounded[a] == bounded[b]) continue;

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "local/voronoi_stars.h"
+#include "local/star.h"
 #include "patch/pinches.h"
 #include "rimline/mesh.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "local/voronoi_stars.h"
+#include "local/star.h"
 #include "mesh/triangulation.h"
 #include "rimline/refine_surface.h"
 

@@ -165,7 +165,7 @@ Surface refine_surface(Points points, const Neighbours& neighbours, const std::v
                        const Run& run) {
   std::optional<Stars> stars;
   const auto find = [&]() -> const Stars& {
-    if (!stars) stars = find_stars(points, neighbours, {}, {}, run);
+    if (!stars) stars = find_weighted_stars(points, neighbours, run);
     return *stars;
   };
   Partition whole = partition(static_cast<Index>(points.size()), find, loops, surface_triangles);

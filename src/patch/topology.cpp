@@ -13,7 +13,7 @@ namespace {
 
 // Whether the cell of `point` has a corner between the sides towards a and b.
 bool has_corner(const Stars& stars, Index point, Index a, Index b) {
-  const std::span<const Index> star = stars.of(point);
+  const std::span<const Index> star = stars[point];
   for (std::size_t i = 0; i < star.size(); ++i) {
     const Index after = star[next_in(i, star.size())];
     if ((star[i] == a && after == b) || (star[i] == b && after == a)) return true;
@@ -100,8 +100,8 @@ bool is_orientable(Points points, const std::vector<Triangle>& triangles, const 
 
 std::vector<Triangle> agreed_triangles(const Stars& stars) {
   std::vector<Triangle> triangles;
-  for (Index i = 0; i + 1 < static_cast<Index>(stars.offsets.size()); ++i) {
-    const std::span<const Index> star = stars.of(i);
+  for (Index i = 0; i < static_cast<Index>(stars.size()); ++i) {
+    const std::span<const Index> star = stars[i];
     for (std::size_t k = 0; k < star.size(); ++k) {
       const Index a = star[k], b = star[k + 1 < star.size() ? k + 1 : 0];
       if (i < a && i < b && a != b && has_corner(stars, a, i, b) && has_corner(stars, b, i, a)) {
@@ -113,7 +113,7 @@ std::vector<Triangle> agreed_triangles(const Stars& stars) {
 }
 
 Topology find_topology(Points points, const Stars& stars) {
-  const Index n = static_cast<Index>(stars.offsets.size()) - 1;
+  const Index n = static_cast<Index>(stars.size());
   Topology topology;
   const std::vector<Triangle> triangles = largest_part(agreed_triangles(stars));
   topology.triangles = static_cast<Index>(triangles.size());

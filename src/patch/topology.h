@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "local/voronoi_stars.h"
+#include "local/star.h"
 #include "rimline/mesh.h"
 
 namespace rimline {

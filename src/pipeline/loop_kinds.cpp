@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "patch/partition.h"
@@ -26,8 +27,8 @@ void keep_one_outer(std::vector<std::size_t> part, const std::vector<Point>& poi
   if (part.size() < 2) return;
   std::sort(part.begin(), part.end());  // in the order in which they were given
   const auto size = [&](std::size_t l) { return std::pair(box_diagonal(loops[l], points), loops[l].length); };
-  const auto largest = std::max_element(
-      part.begin(), part.end(), [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
+  const auto largest = std::max_element(part.begin(), part.end(),
+                                        [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
   for (const std::size_t l : part) {
     if (l != *largest) loops[l].kind = LoopKind::Hole;
   }
@@ -43,10 +44,10 @@ std::vector<Loop> with_one_outer_loop_a_part(std::vector<Loop> loops, const Prep
   for (std::size_t l = 0; l < loops.size(); ++l) {
     for (const Index id : loops[l].points) loop_at[id] = l;
   }
-  Stars stars;
+  std::optional<Stars> stars;
   const auto find = [&]() -> const Stars& {
-    if (stars.neighbours.empty()) stars = find_stars(points, prepared.neighbours, {}, {}, run);
-    return stars;
+    if (!stars) stars = find_weighted_stars(points, prepared.neighbours, run);
+    return *stars;
   };
   const Partition parts = partition(static_cast<Index>(points.size()), find, loops, {});
   for (const PatchInput& patch : parts.patches) {

@@ -69,14 +69,14 @@ struct Row {
   std::vector<Proposal> rest;
 };
 
-constexpr std::size_t points_in_row = 4096;  // [speed]
+constexpr std::size_t points_in_row = 4096;    // [speed]
 constexpr std::size_t tries_per_look = 65536;  // triangles between two looks at the stop flag [speed]
 
 // What all stars name, read in two rounds: of most triangles all corners have them in their stars, which the
 // corner of least id finds out for all three. So the second round need not ask again.
 class StarReader {
  public:
-  StarReader(Points points, const DelaunayStars& stars, const std::vector<double>& spacing, double largest,
+  StarReader(Points points, const Stars& stars, const std::vector<double>& spacing, double largest,
              const Run& run)
       : points_(points), stars_(stars), spacing_(spacing), largest_(largest) {
     resize_together(is_read_, stars.start(stars.size()), run);
@@ -132,14 +132,14 @@ class StarReader {
   }
 
   Points points_;
-  const DelaunayStars& stars_;
+  const Stars& stars_;
   const std::vector<double>& spacing_;
   double largest_;
   std::vector<std::uint8_t> is_read_;  // of each corner of the stars
 };
 
 // The set of the triangles that all agree on, in the order of the rows.
-void take_agreed(TriangleSet& set, const DelaunayStars& stars, std::vector<Row>& rows, const Run& run) {
+void take_agreed(TriangleSet& set, const Stars& stars, std::vector<Row>& rows, const Run& run) {
   std::vector<std::size_t> start{0};
   std::size_t more = 0;  // that may follow: the rest, and ears
   for (const Row& row : rows) {
@@ -247,7 +247,7 @@ class Proposer {
 
 }  // namespace
 
-TriangleSet propose_surface(Points points, const std::vector<Frame>& frames, const DelaunayStars& stars,
+TriangleSet propose_surface(Points points, const std::vector<Frame>& frames, const Stars& stars,
                             const std::vector<double>& spacing, double largest, const Run& run) {
   TriangleSet set(points, frames);
   std::vector<Row> rows = StarReader(points, stars, spacing, largest, run).read(run);
@@ -262,8 +262,7 @@ TriangleSet propose_surface(Points points, const std::vector<Frame>& frames, con
 }
 
 TriangleSet propose_surface(const Samples& samples, const Run& run) {
-  const DelaunayStars stars =
-      find_delaunay_stars(samples.points, samples.neighbours, samples.spacing, samples.frames, run);
+  const Stars stars = find_stars(samples.points, samples.neighbours, samples.spacing, samples.frames, run);
   return propose_surface(samples.points, samples.frames, stars, samples.spacing, model::proposed_largest,
                          run);
 }

@@ -17,7 +17,7 @@ namespace rimline {
 // first. Triangles whose circumradius exceeds `largest` spacings (the largest of their corners') are left
 // out, so the result reaches over the true boundary by its larger triangles: what is too much is for the rim
 // search to take away.
-TriangleSet propose_surface(Points points, const std::vector<Frame>& frames, const DelaunayStars& stars,
+TriangleSet propose_surface(Points points, const std::vector<Frame>& frames, const Stars& stars,
                             const std::vector<double>& spacing, double largest, const Run& run);
 
 // The same of samples, with the stars and the largest size of the default method.

@@ -25,7 +25,7 @@ double angle_at(Point a, Point b, Point c) {
   return std::atan2(norm(cross(to_a, to_c)), dot(to_a, to_c));
 }
 
-TriangleSet::AtVertices::AtVertices(const DelaunayStars& stars, const Run& run) : stars_(stars) {
+TriangleSet::AtVertices::AtVertices(const Stars& stars, const Run& run) : stars_(stars) {
   resize_together(places_, stars.size(), run);
   const std::size_t places = stars.start(stars.size());
   resize_together(ids_, places, run, places / 8);  // [speed]

@@ -49,7 +49,7 @@ class TriangleSet {
   // The triangles at each vertex, one for each place of its star at most. The stars must outlive it.
   class AtVertices {
    public:
-    AtVertices(const DelaunayStars& stars, const Run& run);
+    AtVertices(const Stars& stars, const Run& run);
     // Calls for different places may run at the same time.
     void put(Index vertex, std::uint32_t place, Index triangle) {
       ids_[places_[vertex].first + place] = triangle;
@@ -57,7 +57,7 @@ class TriangleSet {
 
    private:
     friend class TriangleSet;
-    const DelaunayStars& stars_;
+    const Stars& stars_;
     std::vector<Place> places_;
     std::vector<Index> ids_;
   };

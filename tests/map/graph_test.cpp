@@ -89,7 +89,7 @@ TEST_CASE("on an uneven flat sheet the map with local Voronoi weights is the she
   const Lattice lattice = flat_lattice(25, 0.35);
   const Run run;
   const Neighbours neighbours = find_neighbours(lattice.points, 24, run);
-  const Stars stars = find_stars(lattice.points, neighbours, {}, {}, run);
+  const Stars stars = find_weighted_stars(lattice.points, neighbours, run);
   std::vector<UV> uv(lattice.points.size());
   for (std::size_t i = 0; i < uv.size(); ++i) {
     if (lattice.rim[i]) uv[i] = {lattice.points[i].x, lattice.points[i].y};
@@ -108,23 +108,12 @@ TEST_CASE("neighbours behind the tangent plane are on another sheet and not in t
   std::vector<Point> points = lower.points;
   for (const Point& p : lower.points) points.push_back({p.x + 0.3, p.y + 0.2, p.z + 2.2});
   const Run run;
-  const Stars stars = find_stars(points, find_neighbours(points, 30, run), {}, {}, run);
+  const Stars stars = find_weighted_stars(points, find_neighbours(points, 30, run), run);
   const Index sheet = static_cast<Index>(lower.points.size());
   for (Index i = 0; i < 2 * sheet; ++i) {
     const Index x = i % sheet % lower.side, y = i % sheet / lower.side;
     if (std::min({x, y, lower.side - 1 - x, lower.side - 1 - y}) < 2) continue;  // open or nearly so
-    for (const Index j : stars.of(i)) CHECK((i < sheet) == (j < sheet));
-  }
-}
-
-TEST_CASE("points of different labels do not see each other") {
-  const Lattice lattice = flat_lattice(10, 0.1);
-  std::vector<Index> label(lattice.points.size());
-  for (std::size_t i = 0; i < label.size(); ++i) label[i] = lattice.points[i].x < 4.5;
-  const Run run;
-  const Stars stars = find_stars(lattice.points, find_neighbours(lattice.points, 20, run), label, {}, run);
-  for (std::size_t i = 0; i < label.size(); ++i) {
-    for (const Index j : stars.of(static_cast<Index>(i))) CHECK((j == none || label[i] == label[j]));
+    for (const Index j : stars[i]) CHECK((i < sheet) == (j < sheet));
   }
 }
 

@@ -223,7 +223,7 @@ TEST_CASE("a sheet keeps its map beside a one-sided strip and a sphere, which ar
     }
   }
   const Neighbours neighbours = find_neighbours(points, 24, run);
-  const std::vector<Triangle> triangles = agreed_triangles(find_stars(points, neighbours, {}, {}, run));
+  const std::vector<Triangle> triangles = agreed_triangles(find_weighted_stars(points, neighbours, run));
   const Surface surface = refine_surface(points, neighbours, loops, triangles, {}, run);
   REQUIRE(surface.patches.size() == 3);
   CHECK(test::broken_rule(surface.triangles, static_cast<int>(points.size()), false) == "");

@@ -22,7 +22,7 @@ TEST_CASE("corners of many vertices, found in parts, cost what those of each ver
   const Neighbours neighbours = find_neighbours(points, 40, {});
   const auto spacing = local_spacing(points, neighbours);
   const std::vector<Frame> frames = fit_frames(points, neighbours, {});
-  const DelaunayStars stars = find_delaunay_stars(points, neighbours, spacing, frames, {});
+  const Stars stars = find_stars(points, neighbours, spacing, frames, {});
   const TriangleSet set = propose_surface(points, frames, stars, spacing, 3, {});
   Selection selected(set.size());
   for (std::uint8_t& bit : selected) bit = random.uniform() < 0.8;

@@ -39,8 +39,7 @@ struct Holed {
 // Triangles that are left out where all points are marked.
 std::size_t left_out(std::uint8_t mark) {
   const Holed holed;
-  const DelaunayStars stars =
-      find_delaunay_stars(holed.points, holed.neighbours, holed.spacing, holed.frames, {});
+  const Stars stars = find_stars(holed.points, holed.neighbours, holed.spacing, holed.frames, {});
   const TriangleSet set = propose_surface(holed.points, holed.frames, stars, holed.spacing, 4, {});
   LocalSizes sizes(set, holed.neighbours);
   const std::vector<std::uint8_t> excluded(holed.points.size(), mark);
@@ -57,8 +56,7 @@ TEST_CASE("what is plainly too large is doubted at gaps that are no boundary, to
 
 TEST_CASE("a second search takes over what no even rim touches, and finds the rest as the first would") {
   const Holed holed;
-  const DelaunayStars stars =
-      find_delaunay_stars(holed.points, holed.neighbours, holed.spacing, holed.frames, {});
+  const Stars stars = find_stars(holed.points, holed.neighbours, holed.spacing, holed.frames, {});
   const TriangleSet set = propose_surface(holed.points, holed.frames, stars, holed.spacing, 4, {});
   LocalSizes sizes(set, holed.neighbours);
   const Run run;

@@ -19,8 +19,8 @@ struct ProposedSurface {
         neighbours(find_neighbours(points, 40, {})),
         spacing(local_spacing(points, neighbours)),
         frames(fit_frames(points, neighbours, {})),
-        set(propose_surface(points, frames, find_delaunay_stars(points, neighbours, spacing, frames, {}),
-                            spacing, 3, {})) {}
+        set(propose_surface(points, frames, find_stars(points, neighbours, spacing, frames, {}), spacing, 3,
+                            {})) {}
   ProposedSurface(const ProposedSurface&) = delete;
   ProposedSurface& operator=(const ProposedSurface&) = delete;
 

@@ -331,7 +331,7 @@ TEST_CASE("the arcs of a flat grid with a hole close into its outline and the ho
   const auto neighbours = find_neighbours(kept, 16, run);
   const auto spacing = local_spacing(kept, neighbours);
   const auto frames = fit_frames(kept, neighbours, run);
-  const auto stars = find_delaunay_stars(kept, neighbours, spacing, frames, run);
+  const auto stars = find_stars(kept, neighbours, spacing, frames, run);
   const LoopIds loops = closed_arcs(mutual_edges(kept, stars, std::vector<double>(kept.size(), 0.55)));
   std::vector<Index> expected;
   for (const Index id : outline()) expected.push_back(id_in[id]);
