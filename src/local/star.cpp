@@ -54,13 +54,13 @@ class CellCutter {
                       [&](Index i) { weight_[i] = tie_weight(points[i], own, spacing[i]); });
   }
 
-  // Cuts the cell of a point with its neighbours. Returns whether one of them was too far to reach the cell:
-  // then all that are farther are, too.
+  // Cuts the cell of a point with its neighbours. Returns whether no other point counts: one of the
+  // neighbours was too far to reach the cell, so that all that are farther are, too.
   bool cut_by_own(VoronoiCell& cell, Index self) const {
     constexpr double far = 20;  // spacings [guard]
     const bool is_far = reach_ == Reach::Far;
     cell.reset(is_far ? far * spacing_[self] : distance_to(points_, neighbours_, self, neighbours_.k - 1));
-    return cut_by(cell, self, neighbours_.of(self));
+    return cut_by(cell, self, neighbours_.of(self)) || !is_far;
   }
 
   // The same with others, nearest first.
@@ -266,7 +266,11 @@ Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<
 Stars find_weighted_stars(Points points, const Neighbours& neighbours, const Run& run) {
   const Run silent = run.without_progress();  // a part of whichever stage asks
   const std::vector<double> spacing = local_spacing(points, neighbours, silent);
-  const std::vector<Frame> frames = fit_frames(points, neighbours, silent);
+  std::vector<Frame> frames(points.size());
+  parallel_for_each(points.size(), Stage::Survey, silent, [&](Index i) {
+    constexpr int few = 10;  // neighbours, before those on other sheets are left out [option]
+    frames[i] = fit_frame(points, neighbours.of(i, std::min(few, neighbours.k)), i);
+  });
   const CellCutter cutter(points, neighbours, spacing, frames, Reach::WithinList, silent);
   return StarFinder(cutter, points, neighbours, true, silent).find();
 }

@@ -51,9 +51,9 @@ class Stars {
 Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                  const std::vector<Frame>& frames, const Run& run);
 
-// The same stars within the lists of neighbours, with the weights of natural neighbours: the length of the
-// common side of two cells over the distance of their points. They are positive, and exact for linear
-// functions where the cell is closed and flat (Sibson 1981; Belikov et al. 1997). [ours: the paper's
+// Stars cut by the point's own list alone and no wider than that, with the weights of natural neighbours: the
+// length of the common side of two cells over the distance of their points. They are positive, and exact for
+// linear functions where the cell is closed and flat (Sibson 1981; Belikov et al. 1997). [ours: the paper's
 // reciprocal distances to k neighbours reach across walls and holes]
 Stars find_weighted_stars(Points points, const Neighbours& neighbours, const Run& run);
 
