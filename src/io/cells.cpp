@@ -32,12 +32,12 @@ bool is_decimal_comma(std::string_view cell) {
          is_number(cell.substr(0, comma), {}) && cell.substr(0, comma).find('.') == std::string_view::npos;
 }
 
-// Whether the line writes decimal commas: three cells or more, each an integer or a decimal comma, the latter
-// at least twice, or once where semicolons or tabs part the cells.
-bool has_decimal_commas(std::string_view line) {
-  const std::size_t enough = line.find_first_of(";\t") != std::string_view::npos ? 1 : 2;
+// Whether the line writes decimal commas in this style: three cells or more, each an integer or a decimal
+// comma, the latter at least twice, or once where semicolons, tabs or quotes part the cells.
+bool has_decimal_commas(std::string_view line, CellStyle style) {
+  const std::size_t enough = style.in_quotes || line.find_first_of(";\t") != std::string_view::npos ? 1 : 2;
   std::size_t commas = 0;
-  const auto cells = split(line, {.decimal_commas = true});
+  const auto cells = split(line, style);
   for (const std::string_view cell : cells) {
     if (is_decimal_comma(cell)) {
       ++commas;
@@ -88,7 +88,10 @@ CellStyle style_of(std::string_view text) {
   for (int i = 0; i < most_lines && lines.next_filled(line); ++i) {
     line = trimmed(line);
     if (is_comment(line)) continue;
-    if (has_decimal_commas(line)) return {.decimal_commas = true};
+    for (const bool in_quotes : {false, true}) {
+      const CellStyle style{.decimal_commas = true, .in_quotes = in_quotes};
+      if (has_decimal_commas(line, style)) return style;
+    }
     const auto cells = split(line, {});
     const bool points = std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
       return is_number(cell, {}) && cell.find('.') != std::string_view::npos;
@@ -122,6 +125,7 @@ const char* skip_text(const char* at, const char* end, CellStyle style) {
 // Reads one number, in quotes or not; nullptr where there is none.
 const char* read_cell(const char* at, const char* end, CellStyle style, double& value) {
   const bool in_quotes = at < end && *at == '"';
+  if (style.in_quotes && !in_quotes) style = {};
   const char* after = read_decimal(at + (in_quotes ? 1 : 0), end, style, value);
   if (after == nullptr || !in_quotes) return after;
   return after < end && *after == '"' ? after + 1 : nullptr;

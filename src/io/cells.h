@@ -7,11 +7,13 @@
 
 namespace rimline::io {
 
-// Blanks part cells always; so do commas and semicolons, but commas not where they are decimal.
+// Blanks part cells always; so do commas and semicolons, but commas not where they are decimal, unless
+// numbers with decimal commas stand in quotes ("1,5","2,5",3).
 struct CellStyle {
   bool decimal_commas = false;
+  bool in_quotes = false;
 
-  bool parts(char c) const { return c == ';' || (c == ',' && !decimal_commas); }
+  bool parts(char c) const { return c == ';' || (c == ',' && (!decimal_commas || in_quotes)); }
 };
 
 // Whether a line starts with #, // or %.

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // NPY (NumPy Enhancement Proposal 1): an array of n points by three or more columns, of any number of axes
-// before the last, in C or Fortran order; or of records with fields x, y and z.
+// before the last, in C or Fortran order; or of records with fields x, y and z. Halves become floats, which
+// hold them all.
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cctype>
+#include <cmath>
+#include <cstring>
+#include <limits>
 #include <optional>
 
 #include "io/column_names.h"
@@ -12,9 +18,15 @@
 namespace rimline::io {
 namespace {
 
+// How the numbers of a field lie in the file.
+struct Storage {
+  std::size_t size = 0;  // bytes
+  bool swap = false;     // not in the order of this machine
+};
+
 struct NpyHeader {
-  std::vector<Field> fields;  // one without a name, or the named ones of a record
-  bool swap = false;
+  std::vector<Field> fields;     // one without a name, or the named ones of a record
+  std::vector<Storage> storage;  // of each
   bool fortran = false;
   std::vector<std::uint64_t> shape;
   const char* body = nullptr;
@@ -78,7 +90,7 @@ class Literal {
 };
 
 std::optional<FieldType> type_of(std::string_view code) {
-  if (code == "f4") return FieldType::Float32;
+  if (code == "f2" || code == "f4") return FieldType::Float32;
   if (code == "f8") return FieldType::Float64;
   if (code == "i1") return FieldType::Int8;
   if (code == "i2") return FieldType::Int16;
@@ -91,32 +103,33 @@ std::optional<FieldType> type_of(std::string_view code) {
   return std::nullopt;
 }
 
-// "<f8" of a field; all fields must have one order of bytes.
-Field read_type(Literal& in, const std::string& name, NpyHeader& header) {
+// "<f8" of a field.
+void read_type(Literal& in, const std::string& name, NpyHeader& header) {
   const std::string text = in.string();
-  const auto type = type_of(std::string_view(text).substr(text.empty() ? 0 : 1));
+  const std::string_view code = std::string_view(text).substr(text.empty() ? 0 : 1);
+  const auto type = type_of(code);
   if (!type) {
-    in.fail("the type " + quoted(text) +
-            " is not known; known are integers of 1 to 8 bytes and floats of 4 or 8: take a.astype(float)");
+    in.fail(
+        "the type " + quoted(text) +
+        " is not known; known are integers of 1 to 8 bytes and floats of 2, 4 or 8: take a.astype(float)");
   }
+  const std::size_t size = code == "f2" ? 2 : size_in_bytes(*type);
   const bool big = text.front() == '>';
-  const bool swap = size_in_bytes(*type) > 1 && big != (std::endian::native == std::endian::big);
-  if (header.swap && !swap && size_in_bytes(*type) > 1) in.fail("its fields have different orders of bytes");
-  header.swap = header.swap || swap;
-  return {name, *type, nullptr, 0};
+  header.storage.push_back({size, size > 1 && big != (std::endian::native == std::endian::big)});
+  header.fields.push_back({name, *type, nullptr, 0});
 }
 
 void read_descr(Literal& in, NpyHeader& header) {
   constexpr std::size_t most = 100000;  // fields: beyond it the header is junk
   if (!in.take('[')) {
-    header.fields.push_back(read_type(in, "", header));
+    read_type(in, "", header);
     return;
   }
   while (!in.take(']')) {
     in.expect('(');
     const std::string name = in.string();
     in.expect(',');
-    header.fields.push_back(read_type(in, name, header));
+    read_type(in, name, header);
     if (in.take(',') && in.next() != ')')
       in.fail("a field that is an array is not read; take fields x, y and z");
     in.expect(')');
@@ -164,33 +177,97 @@ NpyHeader read_header(const Source& source) {
   return header;
 }
 
-// How many numbers or records the shape asks for; checked against the file before anything is taken.
+// How many numbers or records the shape asks for (one where it has no sides); checked against the file before
+// anything is taken.
 std::uint64_t checked_count(const NpyHeader& header, std::size_t record, const Source& source) {
   const std::uint64_t most = source.bytes_from(header.body) / record;
   std::uint64_t count = 1;
   for (const std::uint64_t side : header.shape) {
     if (side == 0) source.fail("has no points: a side of the array is 0");
-    if (count > most / side) {
-      source.fail("ends at byte " + std::to_string(source.bytes().size()) +
-                  ", before all of the array that its header announces; the file is truncated");
-    }
-    count *= side;
+    count = count > most / side ? most + 1 : count * side;
+  }
+  if (count > most) {
+    source.fail("ends at byte " + std::to_string(source.bytes().size()) +
+                ", before all of the array that its header announces; the file is truncated");
   }
   return count;
 }
 
+std::size_t record_size(const NpyHeader& header) {
+  std::size_t size = 0;
+  for (const Storage& storage : header.storage) size += storage.size;
+  return size;
+}
+
+// IEEE 754 binary16: a sign, five bits of exponent, ten of fraction.
+float from_half(std::uint16_t bits) {
+  const int exponent = bits >> 10 & 31, fraction = bits & 1023;
+  float size = std::ldexp(static_cast<float>(fraction), -24);
+  if (exponent > 0) size = std::ldexp(static_cast<float>(1024 + fraction), exponent - 25);
+  if (exponent == 31) {
+    size = fraction == 0 ? std::numeric_limits<float>::infinity() : std::numeric_limits<float>::quiet_NaN();
+  }
+  return std::copysign(size, bits >> 15 == 0 ? 1.0F : -1.0F);
+}
+
+// Whether all numbers lie in one order of bytes and as types that fields have.
+bool is_uniform(const NpyHeader& header) {
+  bool swap = false, keep = false;
+  for (std::size_t f = 0; f < header.fields.size(); ++f) {
+    const Storage& storage = header.storage[f];
+    if (storage.size != size_in_bytes(header.fields[f].type)) return false;
+    swap = swap || storage.swap;
+    keep = keep || (storage.size > 1 && !storage.swap);
+  }
+  return !(swap && keep);
+}
+
+// The bytes of `count` records in the order and types of this machine; the header then tells of these.
+std::vector<char> make_uniform(NpyHeader& header, std::uint64_t count) {
+  std::size_t size = 0;
+  for (const Field& field : header.fields) size += size_in_bytes(field.type);
+  std::vector<char> made(count * size);
+  const char* from = header.body;
+  for (char* to = made.data(); to != made.data() + made.size();) {
+    for (std::size_t f = 0; f < header.fields.size(); ++f) {
+      const Storage& storage = header.storage[f];
+      std::array<char, sizeof(double)> number{};
+      std::copy_n(from, storage.size, number.begin());
+      if (storage.swap)
+        std::reverse(number.begin(), number.begin() + static_cast<std::ptrdiff_t>(storage.size));
+      from += storage.size;
+      const std::size_t width = size_in_bytes(header.fields[f].type);
+      if (width != storage.size) {
+        std::uint16_t bits = 0;
+        std::memcpy(&bits, number.data(), sizeof bits);
+        const float value = from_half(bits);
+        std::memcpy(number.data(), &value, sizeof value);
+      }
+      to = std::copy_n(number.begin(), width, to);
+    }
+  }
+  for (std::size_t f = 0; f < header.fields.size(); ++f)
+    header.storage[f] = {size_in_bytes(header.fields[f].type), false};
+  header.body = made.data();
+  return made;
+}
+
+bool swaps(const NpyHeader& header) {
+  return std::ranges::any_of(header.storage, [](const Storage& storage) { return storage.swap; });
+}
+
 Cloud read_records(NpyHeader& header, const Source& source, const Run& run) {
-  const std::size_t record = lay_out(header.fields, header.body);
-  const std::uint64_t count = checked_count(header, record, source);
+  const std::uint64_t count = checked_count(header, record_size(header), source);
   check_point_count(source, count);
-  return cloud_from_fields(header.fields, count, header.swap, source, run);
+  std::vector<char> uniform;
+  if (!is_uniform(header)) uniform = make_uniform(header, count);
+  lay_out(header.fields, header.body);
+  return cloud_from_fields(header.fields, count, swaps(header), source, run);
 }
 
 // The last axis are the columns; those before it, in C order, the points.
-Cloud read_columns(const NpyHeader& header, const Source& source, const Run& run) {
-  const FieldType type = header.fields.front().type;
-  const std::size_t size = size_in_bytes(type);
-  const std::uint64_t all = checked_count(header, size, source);
+Cloud read_columns(NpyHeader& header, const Source& source, const Run& run) {
+  const std::uint64_t all = checked_count(header, record_size(header), source);
   const std::uint64_t width = header.shape.empty() ? 0 : header.shape.back();
   if (header.shape.size() == 2 && header.shape[0] == 3 && width > 9) {
     source.fail("has 3 rows of " + std::to_string(width) +
@@ -204,6 +281,10 @@ Cloud read_columns(const NpyHeader& header, const Source& source, const Run& run
   }
   const std::uint64_t count = all / width;
   check_point_count(source, count);
+  std::vector<char> uniform;
+  if (!is_uniform(header)) uniform = make_uniform(header, all);
+  const FieldType type = header.fields.front().type;
+  const std::size_t size = size_in_bytes(type);
   std::vector<Field> fields(width);
   for (std::size_t c = 0; c < width; ++c) {
     fields[c] = {std::string(1, static_cast<char>('x' + c % 3)), type,
@@ -215,11 +296,11 @@ Cloud read_columns(const NpyHeader& header, const Source& source, const Run& run
     table.names.resize(width);
     table.values.resize(all);
     for (std::size_t c = 0; c < width; ++c)
-      values_of_field(fields[c], count, header.swap, table.values.data() + c, width);
+      values_of_field(fields[c], count, swaps(header), table.values.data() + c, width);
     warning = guess_names(table);
     for (std::size_t c = 0; c < width; ++c) fields[c].name = table.names[c];
   }
-  Cloud cloud = cloud_from_fields(fields, count, header.swap, source, run);
+  Cloud cloud = cloud_from_fields(fields, count, swaps(header), source, run);
   const std::size_t first = fields.front().name == "x" ? 1 : 2;
   cloud.coordinates = "columns " + std::to_string(first) + ", " + std::to_string(first + 1) + " and " +
                       std::to_string(first + 2);

@@ -83,11 +83,47 @@ TEST_CASE("NPY records give their fields") {
   CHECK(cloud.find("c")->type == Scalar::UInt8);
 }
 
+TEST_CASE("NPY halves become the floats that they are, in either order of bytes") {
+  // Of IEEE 754: 1, -2, 65504 (the most), 2^-24 (the least), 1/3 rounded, -infinity.
+  const std::vector<std::uint16_t> halves = {0x3C00, 0xC000, 0x7BFF, 0x0001, 0x3555, 0xFC00};
+  for (const bool turned : {false, true}) {
+    const std::string type = turned ? "'>f2'" : "'<f2'";
+    const Cloud cloud =
+        read_bytes("a", npy("{'descr': " + type + ", 'fortran_order': False, 'shape': (2, 3), }",
+                            bytes_of_all(halves, turned)));
+    CHECK(cloud.coordinate_type == Scalar::Float32);
+    CHECK(cloud.points[0] == Point{1, -2, 65504});
+    CHECK(cloud.points[1] == Point{0x1p-24, 0x1.554p-2, -std::numeric_limits<double>::infinity()});
+  }
+  const std::string nan = bytes_of_all<std::uint16_t>({0, 0x8000, 0x7E01});
+  const Cloud odd = read_bytes("a", npy("{'descr': '<f2', 'fortran_order': True, 'shape': (1, 3), }", nan));
+  CHECK(odd.points[0].x == 0);
+  CHECK(std::signbit(odd.points[0].y));
+  CHECK(std::isnan(odd.points[0].z));
+}
+
+TEST_CASE("NPY records may mix orders of bytes and halves") {
+  const auto record = [](double x, float y, std::uint16_t z, std::uint16_t count) {
+    return bytes_of(x) + bytes_of(y, true) + bytes_of(z, true) + bytes_of(count);
+  };
+  const Cloud cloud =
+      read_bytes("a", npy("{'descr': [('x', '<f8'), ('y', '>f4'), ('z', '>f2'), ('c', '<u2')], "
+                          "'fortran_order': False, 'shape': (2,), }",
+                          record(1, 2, 0x4200, 7) + record(0.1, 0.5, 0xB800, 65535)));
+  CHECK(cloud.points == std::vector<Point>{{1, 2, 3}, {0.1, 0.5, -0.5}});
+  CHECK(values(cloud, "c") == std::vector<double>{7, 65535});
+}
+
 TEST_CASE("an NPY that is wrong is told with the remedy") {
   const std::string c = "'fortran_order': False, ", six = bytes_of_all<double>({1, 2, 3, 4, 5, 6});
   CHECK(contains(complaint("a", npy("{'descr': '<f8', " + c + "'shape': (3, 3), }", six)), "truncated"));
   CHECK(contains(complaint("a", npy("{'descr': '<f8', " + c + "'shape': (4611686018427387904, 3), }", six)),
                  "truncated"));
+  CHECK(contains(complaint("a", npy("{'descr': '<f2', " + c + "'shape': (9, 3), }", six)), "truncated"));
+  CHECK(contains(
+      complaint("a", npy("{'descr': [('x', '<f8'), ('y', '<f8'), ('z', '<f8')], " + c + "'shape': ()}",
+                         "twenty-three bytes here")),
+      "truncated"));
   CHECK(contains(complaint("a", npy("{'descr': '<f8', " + c + "'shape': (6,), }", six)), "without rows"));
   CHECK(contains(complaint("a", npy("{'descr': '<f8', " + c + "'shape': (3, 2), }", six)), "without rows"));
   CHECK(contains(complaint("a", npy("{'descr': '<U4', " + c + "'shape': (2, 3), }", six)),

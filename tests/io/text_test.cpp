@@ -68,8 +68,8 @@ TEST_CASE("decimal commas are read where something else parts the numbers") {
   const std::vector<Point> expected = {{1.5, -2, 0.003}, {4, 5, 6.25}};
   for (const std::string text :
        {"1,5;-2;3e-3\n4;5;6,25\n", "1,5\t-2,0\t0,003\n4\t5\t6,25\n", "1,5 -2,0 0,003\n4 5 6,25\n",
-        "4;5;6,25\n", "X;Y;Z\r\n1,5;-2;0,003\r\n4;5;6,25\r\n",
-        "x;y;z\n\"1,5\";\"-2\";\"0,003\"\n4;5;6,25\n"}) {
+        "4;5;6,25\n", "X;Y;Z\r\n1,5;-2;0,003\r\n4;5;6,25\r\n", "x;y;z\n\"1,5\";\"-2\";\"0,003\"\n4;5;6,25\n",
+        "x,y,z\n\"1,5\",-2,\"0,003\"\n4,5,\"6,25\"\n"}) {
     CAPTURE(text);
     const Cloud cloud = read_bytes("a.csv", text);
     CHECK(cloud.points.back() == expected.back());
