@@ -12,18 +12,18 @@ namespace rimline {
 namespace {
 
 // Bytes per point, measured at a million points and rounded up by a tenth (docs/memory.md).
-constexpr double arrange_bytes = 100;
+constexpr double arrange_bytes = 80;
 constexpr double neighbours_bytes = 130;
 constexpr double boundary_bytes = 100;
 constexpr double survey_bytes = 440;       // frames, stars, triangles
 constexpr double loops_bytes = 440;        // these, and the search
 constexpr double paper_loops_bytes = 150;  // closed paths and chromosomes are small beside them
 constexpr double refine_bytes = 780;       // mesh, system, multigrid
-constexpr double measure_bytes = 500;
+constexpr double measure_bytes = 650;
 constexpr double solve_bytes = 500, solve_neighbour_bytes = 95;  // of eq. (4), and of its solver's vectors
-constexpr double triangulate_bytes = 250;
+constexpr double triangulate_bytes = 680;
 constexpr double factor_bytes = 230;  // of the system of a free map and its factor, times log2 of the points
-constexpr double fixed_bytes = 32e6;  // the program itself
+constexpr double fixed_bytes = 16e6;  // the program itself is 10e6
 constexpr double neighbour_bytes = sizeof(Index);
 
 // What a stage takes, besides fixed_bytes.
