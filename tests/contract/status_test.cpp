@@ -277,7 +277,7 @@ TEST_CASE(
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they take memory of their own
-TEST_CASE("no stage takes more memory than its estimate") {
+TEST_CASE("no stage takes more memory than its estimate, nor half of it") {
   const Folder folder;
   const std::string input = sample(folder, "sphere-minus-cap", "50000"), report = folder / "report.json";
   for (const Names& more : {Names{}, Names{"--k", "60"}}) {
@@ -287,17 +287,15 @@ TEST_CASE("no stage takes more memory than its estimate") {
     rimline::Options options;
     if (!more.empty()) options.boundary.k = 60;
     const auto told = nlohmann::json::parse(read_file(report));
-    std::size_t most = 0, most_estimated = 0;
     for (const auto& stage : told["run"]["stages"]) {
       CAPTURE(stage.dump());
       for (const auto& estimate : rimline::estimate_memory(50'000, options)) {
         if (name(estimate.stage) != stage["stage"].get<std::string>()) continue;
-        CHECK(stage["peak_bytes"].get<std::size_t>() <= estimate.bytes);
-        most = std::max(most, stage["peak_bytes"].get<std::size_t>());
-        most_estimated = std::max(most_estimated, estimate.bytes);
+        const auto peak = stage["peak_bytes"].get<std::size_t>();
+        CHECK(peak <= estimate.bytes);
+        CHECK(2 * peak >= estimate.bytes);
       }
     }
-    CHECK(2 * most >= most_estimated);  // what --memory-limit looks at
   }
 }
 #endif
@@ -321,17 +319,18 @@ TEST_CASE("status 5: Ctrl-C while a stage runs ends it and leaves no file") {
   }
 }
 
-TEST_CASE("status 5: every stage stops by itself, before the next begins and without the deadline") {
+// That each stage stops before the next begins is a test of tests/pipeline: here a busy machine may deliver
+// the signal a stage later. The mesh is not read before, so that the tool is still there.
+TEST_CASE("status 5: Ctrl-C is heard without the deadline") {
   const Folder folder;
-  const std::string input = sample(folder, "bumpy-square", "60000");
-  const Names stages = {"neighbours",  "boundary", "survey",  "loops", "parameterize",
-                        "triangulate", "refine",   "measure", "write"};
+  const std::string input = sample(folder, "bumpy-square", "20000");
   const auto stops = [&](const std::string& preset, const std::string& stage) {
-    Names arguments = {"reconstruct", input, "-o", folder / "mesh.ply", "--preset", preset};
-    if (preset == "paper") arguments.insert(arguments.end(), {"--max-path-steps", "20000000"});
+    Names arguments = {"reconstruct", input, "-o", "-", "--loops", folder / "loops.json", "--preset", preset};
+    if (preset == "paper") arguments.insert(arguments.end(), {"--max-path-steps", "5000000"});
     const Finished stopped =
         run({.arguments = arguments,
              .terminal = true,
+             .hold_output = true,
              .signal = SIGINT,
              .deadline = false,
              .signal_when = [&](const std::string& err, bool) { return contains(err, "\033[K" + stage); }});
@@ -341,10 +340,8 @@ TEST_CASE("status 5: every stage stops by itself, before the next begins and wit
     CHECK(folder.names() == Names{"sample.ply"});
     CHECK(stopped.status == 5);
     CHECK(contains(stopped.err, "rimline: interrupted"));
-    const auto at = std::find(stages.begin(), stages.end(), stage);
-    for (auto later = at + 1; later < stages.end(); ++later) CHECK(!contains(stopped.err, "\033[K" + *later));
   };
-  for (const std::string stage : {"neighbours", "boundary", "survey", "loops", "refine"})
+  for (const std::string stage : {"neighbours", "survey", "loops", "refine", "measure"})
     stops("default", stage);
   for (const std::string stage : {"loops", "parameterize", "triangulate"}) stops("paper", stage);
 }

@@ -116,7 +116,8 @@ struct Child {
   void talk(Finished& result) {
     bool out_open = out >= 0, err_open = true;
     while (out_open || err_open) {
-      std::array<pollfd, 3> files = {pollfd{out_open ? out : -1, POLLIN, 0},
+      const bool reads_out = out_open && (signalled || !call.hold_output);
+      std::array<pollfd, 3> files = {pollfd{reads_out ? out : -1, POLLIN, 0},
                                      pollfd{err_open ? err : -1, POLLIN, 0},
                                      pollfd{in >= 0 && given < call.input.size() ? in : -1, POLLOUT, 0}};
       poll(files.data(), files.size(), 5);

@@ -20,6 +20,7 @@ struct Call {
   std::size_t file_size = 0;     // most bytes of any file, 0 for no limit
   bool no_threads = false;       // run as a user who may make no thread; root becomes `nobody` for it
   bool closed_streams = false;   // descriptors 0 to 2 are closed
+  bool hold_output = false;      // standard output is read after the signal only
   int signal = 0;                // sent as soon as `signal_when` says so
   int signals = 1;               // how often
   bool deadline = true;          // false: the timer that ends an interrupted tool never fires

@@ -281,6 +281,32 @@ TEST_CASE("cancelling at the third report of a stage ends there") {
   CHECK(reports == 3);
 }
 
+TEST_CASE("a stage that is stopped as it begins ends before the next") {
+  const auto disc = shapes::disc(20, 0.4);
+  for (const Preset preset : {Preset::Default, Preset::Paper}) {
+    std::vector<Stage> stages;  // of a run that nobody stops
+    Run run;
+    run.on_progress = [&](Progress p) {
+      if (stages.empty() || stages.back() != p.stage) stages.push_back(p.stage);
+    };
+    reconstruct(disc.points, preset_options(preset), run);
+    REQUIRE(stages.size() >= 7);
+    for (std::size_t last = 0; last < stages.size(); ++last) {
+      std::atomic<bool> stop{false};
+      std::vector<Stage> begun;
+      run.stop = &stop;
+      run.on_progress = [&](Progress p) {
+        if (begun.empty() || begun.back() != p.stage) begun.push_back(p.stage);
+        if (begun.size() == last + 1) stop = true;
+      };
+      CAPTURE(name(stages[last]));
+      CHECK_THROWS_AS(reconstruct(disc.points, preset_options(preset), run), Error);
+      CHECK(begun ==
+            std::vector<Stage>(stages.begin(), stages.begin() + static_cast<std::ptrdiff_t>(last) + 1));
+    }
+  }
+}
+
 TEST_CASE("a moved set gives the same loop, also at ten million") {
   const auto disc = shapes::disc(14, 0.4);
   const auto loop = find_boundary(disc.points, preset_options(Preset::PaperLog), {}).loops[0].points;
