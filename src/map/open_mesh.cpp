@@ -6,6 +6,7 @@
 
 #include "base/union_find.h"
 #include "base/vec.h"
+#include "mesh/components.h"
 
 namespace rimline {
 namespace {
@@ -173,27 +174,16 @@ namespace {
 
 // Which triangles hang together, numbered by their first ones.
 std::vector<Index> parts_of(const OpenMesh& whole, const std::vector<Index>& label, const Cuts& cuts) {
-  const Triangulation& mesh = whole.mesh;
-  std::vector<Index> part(mesh.triangles.size(), none), open;
-  Index count = 0;
-  for (Index first = 0; first < mesh.size(); ++first) {
-    if (part[first] != none) continue;
-    part[first] = count;
-    open.assign(1, first);
-    while (!open.empty()) {
-      const Index t = open.back();
-      open.pop_back();
-      for (int c = 0; c < 3; ++c) {
-        const Index other = mesh.adjacent[t][c];
-        if (other == none || part[other] != none || label[other] != label[t]) continue;
-        if (cuts[t][c] || cuts[other][mesh.corner_across(other, t)]) continue;
-        part[other] = count;
-        open.push_back(other);
-      }
+  Triangulation cut = whole.mesh;
+  for (Index t = 0; t < cut.size(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      const Index other = whole.mesh.adjacent[t][c];
+      if (other == none) continue;
+      if (label[other] != label[t] || cuts[t][c] || cuts[other][whole.mesh.corner_across(other, t)])
+        cut.adjacent[t][c] = none;
     }
-    ++count;
   }
-  return part;
+  return find_components(cut).of_triangle;
 }
 
 OpenMesh open_part(const OpenMesh& whole, const std::vector<Index>& members, const std::vector<Index>& part,

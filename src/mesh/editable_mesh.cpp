@@ -6,8 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "mesh/triangulation.h"
-#include "base/union_find.h"
+#include "mesh/components.h"
 
 namespace rimline {
 namespace {
@@ -125,22 +124,15 @@ std::vector<Index> EditableMesh::neighbours(Index vertex) const {
 }
 
 std::vector<Index> EditableMesh::components() const {
-  UnionFind joined(triangles_.size());
+  Triangulation linked{triangles_, {}};
+  linked.adjacent.assign(triangles_.size(), {none, none, none});
+  std::vector<std::uint8_t> is_there(triangles_.size(), 0);
   for (Index t = 0; t < places(); ++t) {
-    for (int c = 0; has(t) && c < 3; ++c) {
-      const Index other = across(t, triangles_[t][c], triangles_[t][next(c)]);
-      if (other != none) joined.join(t, other);
-    }
+    is_there[t] = has(t);
+    for (int c = 0; has(t) && c < 3; ++c)
+      linked.adjacent[t][c] = across(t, triangles_[t][next(c)], triangles_[t][previous(c)]);
   }
-  std::vector<Index> number(triangles_.size(), none), of_root(triangles_.size(), none);
-  Index count = 0;
-  for (Index t = 0; t < places(); ++t) {
-    if (!has(t)) continue;
-    Index& root = of_root[joined.find(t)];
-    if (root == none) root = count++;
-    number[t] = root;
-  }
-  return number;
+  return find_components(linked, is_there).of_triangle;
 }
 
 std::vector<Triangle> EditableMesh::all() const {

@@ -4,6 +4,7 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace rimline {
@@ -36,6 +37,35 @@ Triangulation triangulation_of(std::vector<Triangle> triangles, Index vertex_cou
       }
     }
   });
+  return mesh;
+}
+
+namespace {
+
+// A triangle, found by one of its edges.
+struct Side {
+  Index low, high, triangle;
+  friend auto operator<=>(const Side&, const Side&) = default;
+};
+
+}  // namespace
+
+Triangulation link_triangles(std::vector<Triangle> triangles) {
+  Triangulation mesh{std::move(triangles), {}};
+  mesh.adjacent.assign(mesh.triangles.size(), {none, none, none});
+  std::vector<Side> sides;
+  sides.reserve(3 * mesh.triangles.size());
+  for (Index t = 0; t < mesh.size(); ++t) {
+    const Triangle& x = mesh.triangles[t];
+    for (int c = 0; c < 3; ++c) sides.push_back({std::min(x[c], x[next(c)]), std::max(x[c], x[next(c)]), t});
+  }
+  std::ranges::sort(sides);
+  for (std::size_t s = 1; s < sides.size(); ++s) {
+    const Side &one = sides[s - 1], &other = sides[s];
+    if (one.low != other.low || one.high != other.high) continue;
+    mesh.adjacent[one.triangle][mesh.corner_opposite(one.triangle, one.low, one.high)] = other.triangle;
+    mesh.adjacent[other.triangle][mesh.corner_opposite(other.triangle, one.low, one.high)] = one.triangle;
+  }
   return mesh;
 }
 

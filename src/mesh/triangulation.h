@@ -12,8 +12,8 @@ namespace rimline {
 constexpr int next(int corner) { return corner == 2 ? 0 : corner + 1; }
 constexpr int previous(int corner) { return corner == 0 ? 2 : corner - 1; }
 
-// An orientable surface in which each edge has one triangle or two. Corner c of a triangle is opposite to
-// the edge from corner next(c) to previous(c), beyond which lies adjacent[t][c], or none at the boundary.
+// Triangles of which each edge has one or two. Corner c of a triangle is opposite to the edge from corner
+// next(c) to previous(c), beyond which lies adjacent[t][c], or none at the boundary.
 struct Triangulation {
   std::vector<Triangle> triangles;
   std::vector<std::array<Index, 3>> adjacent;
@@ -23,6 +23,11 @@ struct Triangulation {
     const Triangle& t = triangles[triangle];
     return t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
   }
+  // The corner of `triangle` opposite to its edge between a and b.
+  int corner_opposite(Index triangle, Index a, Index b) const {
+    const Triangle& t = triangles[triangle];
+    return t[0] != a && t[0] != b ? 0 : t[1] != a && t[1] != b ? 1 : 2;
+  }
   // The corner of `triangle` opposite to the edge that it shares with `other`.
   int corner_across(Index triangle, Index other) const {
     const std::array<Index, 3>& a = adjacent[triangle];
@@ -30,8 +35,16 @@ struct Triangulation {
   }
 };
 
+// Whether a triangle runs along its edge from a to b, not from b to a.
+inline bool runs(const Triangle& t, Index a, Index b) {
+  return ((t[0] == a) & (t[1] == b)) | ((t[1] == a) & (t[2] == b)) | ((t[2] == a) & (t[0] == b));
+}
+
 // Finds the neighbours. Requires consistent orientation, and at most two triangles at an edge.
 Triangulation triangulation_of(std::vector<Triangle> triangles, Index vertex_count);
+
+// The same of triangles that need not agree in orientation.
+Triangulation link_triangles(std::vector<Triangle> triangles);
 
 // Splits a triangle in three at a vertex of its own. The first takes its place, the others come last.
 void split(Triangulation& mesh, Index triangle, Index vertex);

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "base/vec.h"
+#include "mesh/components.h"
 #include "mesh/foot.h"
 
 namespace rimline {
@@ -15,25 +16,16 @@ namespace {
 // left out.
 std::vector<Triangle> sheet_at(const std::vector<Index>& loop_next, const std::vector<Triangle>& triangles) {
   const Triangulation mesh = triangulation_of(triangles, static_cast<Index>(loop_next.size()));
-  std::vector<char> reached(triangles.size(), 0);
-  std::vector<Index> open;
+  const Components components = find_components(mesh);
+  std::vector<char> is_at_loop(components.count(), 0);
   for (Index t = 0; t < mesh.size(); ++t) {
     for (int c = 0; c < 3; ++c) {
-      if (reached[t] || loop_next[triangles[t][c]] != triangles[t][next(c)]) continue;
-      reached[t] = 1;
-      open.push_back(t);
+      if (loop_next[triangles[t][c]] == triangles[t][next(c)]) is_at_loop[components.of_triangle[t]] = 1;
     }
   }
   std::vector<Triangle> sheet;
-  while (!open.empty()) {
-    const Index t = open.back();
-    open.pop_back();
-    sheet.push_back(triangles[t]);
-    for (const Index other : mesh.adjacent[t]) {
-      if (other == none || reached[other]) continue;
-      reached[other] = 1;
-      open.push_back(other);
-    }
+  for (Index t = 0; t < mesh.size(); ++t) {
+    if (is_at_loop[components.of_triangle[t]]) sheet.push_back(triangles[t]);
   }
   return sheet;
 }

@@ -7,6 +7,7 @@
 
 #include "base/vec.h"
 #include "mesh/close_ring.h"
+#include "mesh/components.h"
 #include "mesh/insert.h"
 
 namespace rimline {
@@ -129,20 +130,12 @@ class Mender {
         if (rim.next[v] != loop_next_[v]) return false;
       }
     }
-    std::vector<char> reached(mesh_.triangles.size(), 0);
-    std::vector<Index> open{rim.triangle[loops_.front().points.front()]};
-    reached[open.front()] = 1;
-    std::size_t count = 1;
-    while (!open.empty()) {
-      const Index t = open.back();
-      open.pop_back();
-      for (const Index other : mesh_.adjacent[t]) {
-        if (other == none || std::exchange(reached[other], 1)) continue;
-        open.push_back(other);
-        ++count;
-      }
-    }
-    if (count < reached.size()) keep_only(reached);
+    const Components components = find_components(mesh_);
+    if (components.count() == 1) return true;
+    const Index kept = components.of_triangle[rim.triangle[loops_.front().points.front()]];
+    std::vector<char> is_kept(mesh_.triangles.size());
+    for (std::size_t t = 0; t < is_kept.size(); ++t) is_kept[t] = components.of_triangle[t] == kept;
+    keep_only(is_kept);
     return true;
   }
 

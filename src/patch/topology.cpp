@@ -6,7 +6,7 @@
 
 #include "base/union_find.h"
 #include "base/vec.h"
-#include "mesh/triangulation.h"
+#include "mesh/components.h"
 
 namespace rimline {
 namespace {
@@ -44,28 +44,17 @@ std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
 
 bool same_edge(const Side& s, const Side& t) { return s.a == t.a && s.b == t.b; }
 
-// Whether triangle t runs along the side from its lower id to its higher.
-bool runs_up(const std::vector<Triangle>& triangles, const Side& side) {
-  const Triangle& t = triangles[side.triangle];
-  return (t[0] == side.a && t[1] == side.b) || (t[1] == side.a && t[2] == side.b) ||
-         (t[2] == side.a && t[0] == side.b);
-}
-
 // The triangles of the largest edge-connected component.
-std::vector<Triangle> largest_part(const std::vector<Triangle>& triangles) {
-  UnionFind parts(static_cast<Index>(triangles.size()));
-  const std::vector<Side> sides = sides_of(triangles);
-  for (std::size_t s = 1; s < sides.size(); ++s) {
-    if (same_edge(sides[s - 1], sides[s])) parts.join(sides[s - 1].triangle, sides[s].triangle);
-  }
-  std::vector<Index> size(triangles.size(), 0);
-  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) ++size[parts.find(t)];
-  const Index largest = static_cast<Index>(std::max_element(size.begin(), size.end()) - size.begin());
+Triangulation largest_part(Triangulation mesh) {
+  const Components components = find_components(mesh);
+  std::vector<Index> size(components.count(), 0);
+  for (const Index c : components.of_triangle) ++size[c];
+  const auto largest = static_cast<Index>(std::ranges::max_element(size) - size.begin());
   std::vector<Triangle> part;
-  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
-    if (parts.find(t) == largest) part.push_back(triangles[t]);
+  for (Index t = 0; t < mesh.size(); ++t) {
+    if (components.of_triangle[t] == largest) part.push_back(mesh.triangles[t]);
   }
-  return part;
+  return link_triangles(std::move(part));
 }
 
 Point unit_normal(Points points, const Triangle& t) {
@@ -74,26 +63,23 @@ Point unit_normal(Points points, const Triangle& t) {
   return length > 0 ? (1 / length) * n : Point{};
 }
 
-// Two nodes a triangle, one for each way to turn it: a one-sided surface joins the two. Not over an edge at
-// which the triangles fold by more than 45 degrees: there the cells may have taken two sheets that lie close
-// for one, and a single such edge would make any surface one-sided. A strip that is sampled well is smoother.
-bool is_orientable(Points points, const std::vector<Triangle>& triangles, const std::vector<Side>& sides) {
-  const Index n = static_cast<Index>(triangles.size());
-  constexpr double flat = 0.7;
-  UnionFind turned(2 * n);
-  for (std::size_t s = 1; s < sides.size(); ++s) {
-    if (!same_edge(sides[s - 1], sides[s])) continue;
-    const Index t = sides[s - 1].triangle, u = sides[s].triangle;
-    const bool agree = runs_up(triangles, sides[s - 1]) != runs_up(triangles, sides[s]);
-    const double cosine = dot(unit_normal(points, triangles[t]), unit_normal(points, triangles[u]));
-    if ((agree ? cosine : -cosine) < flat) continue;
-    turned.join(t, agree ? u : u + n);
-    turned.join(t + n, agree ? u + n : u);
+// Parted at edges at which the triangles fold by more than 45 degrees: there the cells may have taken two
+// sheets that lie close for one, and a single such edge would make any surface one-sided. A strip that is
+// sampled well is smoother.
+bool is_orientable(Points points, const Triangulation& mesh) {
+  constexpr double flat = 0.7;  // cosine
+  Triangulation smooth = mesh;
+  for (Index t = 0; t < mesh.size(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      const Index u = mesh.adjacent[t][c];
+      if (u == none) continue;
+      const Triangle &x = mesh.triangles[t], &y = mesh.triangles[u];
+      const bool agree = runs(y, x[previous(c)], x[next(c)]);
+      const double cosine = dot(unit_normal(points, x), unit_normal(points, y));
+      if ((agree ? cosine : -cosine) < flat) smooth.adjacent[t][c] = none;
+    }
   }
-  for (Index t = 0; t < n; ++t) {
-    if (turned.find(t) == turned.find(t + n)) return false;
-  }
-  return true;
+  return std::ranges::count(find_components(smooth).orientable, 0) == 0;
 }
 
 }  // namespace
@@ -115,11 +101,12 @@ std::vector<Triangle> agreed_triangles(const Stars& stars) {
 Topology find_topology(Points points, const Stars& stars) {
   const Index n = static_cast<Index>(stars.size());
   Topology topology;
-  const std::vector<Triangle> triangles = largest_part(agreed_triangles(stars));
+  const Triangulation mesh = largest_part(link_triangles(agreed_triangles(stars)));
+  const std::vector<Triangle>& triangles = mesh.triangles;
   topology.triangles = static_cast<Index>(triangles.size());
   if (triangles.empty()) return topology;
   const std::vector<Side> sides = sides_of(triangles);
-  topology.orientable = is_orientable(points, triangles, sides);
+  topology.orientable = is_orientable(points, mesh);
   // Euler's number, and one disc for each independent cycle of open edges.
   std::vector<char> used(n, 0), rim(n, 0);
   UnionFind rims(n);

@@ -38,19 +38,20 @@ TriangleSet::AtVertices::AtVertices(const Stars& stars, const Run& run) : stars_
 
 void TriangleSet::start_with(std::vector<Triangle> triangles, std::vector<double> radii, AtVertices at,
                              const Run& run) {
-  triangles_ = std::move(triangles);
+  mesh_.triangles = std::move(triangles);
   radii_ = std::move(radii);
   stars_ = std::move(at.places_);
   at_vertex_ = std::move(at.ids_);
-  resize_together(beside_, triangles_.size(), run, triangles_.capacity() - triangles_.size());
-  parallel_for_each(beside_.size(), Stage::Survey, run, [&](Index t) { beside_[t].fill(none); });
+  const std::size_t count = mesh_.triangles.size();
+  resize_together(mesh_.adjacent, count, run, mesh_.triangles.capacity() - count);
+  parallel_for_each(count, Stage::Survey, run, [&](Index t) { mesh_.adjacent[t].fill(none); });
   parallel_for_each(stars_.size(), Stage::Survey, run, [&](Index v) {
     link_at_vertex(v, at.stars_[v]);
     gather_at_vertex(v);
   });
 }
 
-// Closes the gaps of the places that hold no triangle.
+// Removes the entries that hold no triangle.
 void TriangleSet::gather_at_vertex(Index vertex) {
   Place& place = stars_[vertex];
   const auto first = at_vertex_.begin() + static_cast<std::ptrdiff_t>(place.first);
@@ -59,15 +60,15 @@ void TriangleSet::gather_at_vertex(Index vertex) {
   place.count = static_cast<std::uint32_t>(last - first);
 }
 
-// Links the triangles on both sides of each edge to a vertex of higher id, which no other vertex does. Two
-// with a common edge here are at corners that follow each other in the star.
+// Links the triangles on both sides of each edge to a vertex of higher id; the other end does not. Two
+// triangles with a common edge are at consecutive corners of the star.
 void TriangleSet::link_at_vertex(Index vertex, Star star) {
   const Index* at = at_vertex_.data() + stars_[vertex].first;
   for (std::size_t i = 0; i < star.size(); ++i) {
     const std::size_t next = next_in(i, star.size());
     if (star[next] < vertex || at[i] == none || at[next] == none || i == next) continue;
-    beside_[at[i]][edge_of(at[i], vertex, star[next])] = at[next];
-    beside_[at[next]][edge_of(at[next], vertex, star[next])] = at[i];
+    mesh_.adjacent[at[i]][mesh_.corner_opposite(at[i], vertex, star[next])] = at[next];
+    mesh_.adjacent[at[next]][mesh_.corner_opposite(at[next], vertex, star[next])] = at[i];
   }
 }
 
@@ -85,19 +86,19 @@ void TriangleSet::put_at_vertex(Index vertex, Index triangle) {
 
 void TriangleSet::add(const Triangle& triangle) {
   const Index id = size();
-  std::array<Index, 3> beside{none, none, none};
-  for (int i = 0; i < 3; ++i) {
-    const Index a = triangle[i], b = triangle[next_in(i, 3)];
+  std::array<Index, 3> adjacent{none, none, none};
+  for (int c = 0; c < 3; ++c) {
+    const Index a = triangle[next(c)], b = triangle[previous(c)];
     Index found[2];
     if (edge(a, b, found) != 1) continue;
-    Index& back = beside_[found[0]][edge_of(found[0], a, b)];
+    Index& back = mesh_.adjacent[found[0]][mesh_.corner_opposite(found[0], a, b)];
     if (back != none) continue;
-    beside[i] = found[0];
+    adjacent[c] = found[0];
     back = id;
   }
   for (const Index v : triangle) put_at_vertex(v, id);
-  triangles_.push_back(triangle);
-  beside_.push_back(beside);
+  mesh_.triangles.push_back(triangle);
+  mesh_.adjacent.push_back(adjacent);
   radii_.push_back(circumradius(points_[triangle[0]], points_[triangle[1]], points_[triangle[2]]));
 }
 
@@ -120,10 +121,10 @@ void TriangleSet::keep_only(const std::vector<std::uint8_t>& kept, const Run& ru
   };
   const auto as_it_is = [](const auto& item) { return item; };
   parallel_tasks(3, Stage::Loops, run, [&](std::size_t k) {
-    if (k == 0) move_up(triangles_, as_it_is);
+    if (k == 0) move_up(mesh_.triangles, as_it_is);
     if (k == 1) {
-      move_up(beside_, [&](const std::array<Index, 3>& beside) {
-        return std::array{renumber(beside[0]), renumber(beside[1]), renumber(beside[2])};
+      move_up(mesh_.adjacent, [&](const std::array<Index, 3>& adjacent) {
+        return std::array{renumber(adjacent[0]), renumber(adjacent[1]), renumber(adjacent[2])};
       });
     }
     if (k == 2) move_up(radii_, as_it_is);
@@ -134,7 +135,7 @@ void TriangleSet::keep_only(const std::vector<std::uint8_t>& kept, const Run& ru
 int TriangleSet::edge(Index a, Index b, Index (&found)[2]) const {
   int count = 0;
   for (const Index t : star(a)) {
-    const Triangle& x = triangles_[t];
+    const Triangle& x = mesh_.triangles[t];
     if ((x[0] == b || x[1] == b || x[2] == b) && count < 2) found[count++] = t;
   }
   return count;
@@ -174,7 +175,8 @@ double TriangleSet::direction(Index from, Index to) const {
   return std::atan2(dot(d, f.v), dot(d, f.u));
 }
 
-// Whether the corner between a and b at the vertex leaves the other corners there alone, seen in its plane.
+// Whether the corner between a and b at the vertex does not overlap other corners there, in the tangent
+// plane.
 bool TriangleSet::fits_around(Index vertex, Index a, Index b) const {
   constexpr double turn = 2 * std::numbers::pi, overlap = model::corner_overlap;
   if (star(vertex).empty()) return true;
@@ -187,7 +189,7 @@ bool TriangleSet::fits_around(Index vertex, Index a, Index b) const {
   double middle, half, other_middle, other_half;
   corner(a, b, middle, half);
   for (const Index t : star(vertex)) {
-    const Triangle& x = triangles_[t];
+    const Triangle& x = mesh_.triangles[t];
     const int at = x[0] == vertex ? 0 : x[1] == vertex ? 1 : 2;
     corner(x[next_in(at, 3)], x[(at + 2) % 3], other_middle, other_half);
     if (std::abs(std::remainder(middle - other_middle, turn)) < half + other_half - overlap) return false;
