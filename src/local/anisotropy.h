@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much closer points lie in one direction than in another, as along and across scan lines.
+// Anisotropy of the sampling: how much closer points lie in one direction than in another, as along and
+// across scan lines.
 #pragma once
 
 #include <vector>
@@ -18,21 +19,20 @@ struct Offset {
   double x, y;
 };
 
-// Under which points lie alike in all directions: offsets to near neighbours, in units of about the spacing,
-// from any number of points. Close ones count most. The identity where there are none.
+// The metric in which the offsets to near neighbours (in units of about the spacing, from any number of
+// points) are isotropic. Close neighbours have the largest weights. The identity where there are none.
 Anisotropy find_anisotropy(const std::vector<Offset>& offsets);
 
-// Logarithm of how much closer points lie one way than the other, e^(r/2) and e^(-r/2) of alike in all
-// directions; 0 where they lie about alike.
+// Logarithm of the ratio of the densities along the two axes of the metric; 0 for an isotropic sampling.
 double log_ratio(const Anisotropy& anisotropy);
 
-// The same at a point, from its neighbours and theirs.
+// The same at a point, from its neighbours and their neighbours.
 double anisotropy_at(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                      Index point);
 
-// The mean of that at some points; 0 where it is no more than chance or the strips of a mesh bring about.
-// Random points have 0.7 at most, a scanned man's mesh 0.87, scan lines 1.1 or more, noise of half a step and
-// all.
+// The mean of that over some points, or 0 where it is explained by chance or by the strips of a mesh. Random
+// points have at most 0.7, the mesh of a scanned man 0.87, scan lines 1.1 or more, even with noise of half a
+// step.
 double mean_anisotropy(const std::vector<double>& at_points);
 
 }  // namespace rimline

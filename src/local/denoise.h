@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points moved onto the surface, as far as their neighbours tell it.
+// Noise removal: points are projected onto the local quadric.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ struct DenoisedPoints {
   std::vector<double> spacing;
 };
 
-// The points without their noise: all geometry under noise is that of these. None where the sampling has no
-// noise, or two points came to lie in one place.
+// The denoised points, on which all later geometry is based. None where the sampling has no noise, or where
+// two denoised points coincide.
 std::optional<DenoisedPoints> denoise(Points points, const Neighbours& neighbours,
                                       const SamplingProfile& sampling, const Run& run);
 

@@ -42,10 +42,9 @@ Covariance covariance(Points points, Index self, std::span<const Index> ids) {
   return {xx, xy, xz, yy, yz, zz};
 }
 
-// An eigenvector with the sign of a cross product of columns of m - lambda, all of which it is across: of the
-// one with the largest number on the diagonal and the one that makes the larger product with it. Any rule
-// would do but for ties, which grids are full of and the signs of axes decide. This is that of Eigen's closed
-// form.
+// An eigenvector with the sign of a cross product of columns of m - lambda: of the column with the largest
+// diagonal entry and the one that makes the larger product with it. Any rule would do except on grids, where
+// eigenvalues tie and the signs of axes decide. This is the rule of Eigen's closed form.
 inline Point with_sign(Point v, const Covariance& m, double lambda) {
   const Point a{m.xx - lambda, m.xy, m.xz}, b{m.xy, m.yy - lambda, m.yz}, c{m.xz, m.yz, m.zz - lambda};
   const Point ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
@@ -58,7 +57,7 @@ inline Point with_sign(Point v, const Covariance& m, double lambda) {
   return (side < 0 ? -1.0 : 1.0) * v;
 }
 
-// Gives the first and the last axis their signs.
+// Fixes the signs of the first and the last axis.
 RIMLINE_WIDE void set_signs(const CovarianceLanes& m, PrincipalAxesLanes& axes) {
   for (const int i : {0, 2}) {
     for (int l = 0; l < lanes; ++l) {
@@ -83,7 +82,7 @@ PrincipalAxes axes_of(const Covariance& m) {
   return axes;
 }
 
-// With more neighbours than the few that are nearly on a line.
+// Takes more neighbours where the few nearest lie nearly on a line.
 Frame fit_frame_to_more(Points points, const Neighbours& neighbours, Index point) {
   PrincipalAxes axes;
   for (const int k : {20, 40}) {  // [speed]

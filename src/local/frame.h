@@ -18,14 +18,14 @@ struct Frame {
   double thickness = 0;  // least over middle eigenvalue of the covariance, in [0, 1]: 0 is flat
 };
 
-// Whether the neighbourhood is no patch: the surface folds there, or two sheets are close.
+// Whether the neighbourhood is not a disc: the surface folds there, or two sheets are close.
 inline bool is_folded(const Frame& frame) { return frame.thickness > model::frame_folded; }
 
 // Principal directions of the point and the given others.
 Frame fit_frame(Points points, std::span<const Index> others, Index point);
 
-// Of every point and its neighbours. Takes the 12 nearest, and more (up to all that there are) where these
-// lie nearly on a line, as in scan lines whose rows are far apart.
+// Frames of all points and their neighbours. Takes the 12 nearest, and more (up to all in the list) where
+// these lie nearly on a line, as on scan lines that are far apart.
 std::vector<Frame> fit_frames(Points points, const Neighbours& neighbours, const Run& run);
 
 }  // namespace rimline

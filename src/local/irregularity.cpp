@@ -57,7 +57,8 @@ double irregularity(const std::vector<Distances>& distances, int k) {
   const double by_nearest =
       ramp(variation_of_nearest(distances), model::variation_even, model::variation_random);
   const double by_crowding = ramp(-*middle, -model::crowding_even, -model::crowding_random);
-  // At random areas to the twelfth and the fortieth have a ratio with the law of Beta(12, 28).
+  // For random points the ratio of the areas to the twelfth and to the fortieth neighbour has the
+  // distribution Beta(12, 28).
   const double at_random =
       0.5 * std::sqrt(1 / (model::irregular_near + 0.5) - 1 / (static_cast<double>(last_rank(k)) + 0.5));
   const double by_count = ramp(deviation_of(reach) / at_random, model::counts_even, model::counts_random);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether points are random or keep apart from each other.
+// Whether points are uniformly random or evenly spaced.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace rimline {
 
-// What the distances of a point to its neighbours tell.
+// Distances of a point to its neighbours.
 struct Distances {
   double nearest = 0;   // to the nearest over the spacing
   double crowding = 0;  // spacing over the distance to the twelfth; 0 where there is none
@@ -18,16 +18,18 @@ struct Distances {
 Distances measure_distances(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                             Index point);
 
-// Of the distances to the nearest neighbour over the spacing: standard deviation over mean.
+// Coefficient of variation (standard deviation over mean) of the distances to the nearest neighbour over the
+// spacing.
 double variation_of_nearest(const std::vector<Distances>& distances);
 
-// Whether the points are strewn at random (1) or keep apart from each other (0), as scans and meshes do. At
-// random the distance to the nearest neighbour varies by 0.4 of its mean over the spacing, and the six
-// nearest are at 0.506 of the distance of the twelfth; where points keep apart it is 0.25 and 0.55, noise and
-// all. Noise makes the steps along scan lines vary as at random, but it moves no point far: on samples of
-// 1,000 points the distance of the twelfth over that of the fortieth varies by 0.88 and more of what is
-// expected at random where points are so, and by 0.74 at most on scan lines, noise of half a step and all.
-// `k`: length of the lists of neighbours; 0 where they are too short to tell.
+// 1 for uniformly random points, 0 for evenly spaced ones, as scans and meshes have them. For random points
+// the distance to the nearest neighbour has a standard deviation of 0.4 of its mean over the spacing, and the
+// spacing is 0.506 of the distance of the twelfth neighbour; for even points these are 0.25 and 0.55, with
+// noise included. Noise makes the steps along scan lines vary like those of random points, but moves no point
+// far: on samples of 1,000 points the ratio of the distances of the twelfth and the fortieth neighbour varies
+// by at least 0.88 of what random points are expected to have where points are random, and by at most 0.74 on
+// scan lines, with noise of half a step included. `k`: length of the lists of neighbours; 0 where they are
+// too short.
 double irregularity(const std::vector<Distances>& distances, int k);
 
 }  // namespace rimline

@@ -9,7 +9,7 @@
 namespace rimline {
 namespace {
 
-// Below this share of the largest eigenvalue another is rounding.
+// An eigenvalue below this share of the largest is rounding error.
 constexpr double least_share = 1e-13;  // [guard]
 
 // Even and odd neighbours are summed apart. There is at least one pair, so that the loop over pairs is always
@@ -63,7 +63,7 @@ RIMLINE_WIDE void find_factor(const Lanes* x, const Lanes* y, const Lanes* z, st
     moment[l] = third_moment[0] + third_moment[1];
   }
   for (int l = 0; l < lanes; ++l) {
-    // A direction without extent stays without: all angles are then 0 or pi, as they are on a line.
+    // A direction without extent keeps none: all angles are then 0 or pi, as on a line.
     const double lambda = axes.lambda[direction][l];
     const double scale = lambda > least_share * axes.lambda[2][l] ? 1 / std::sqrt(lambda) : 0;
     factor[l] = moment[l] < 0 ? -scale : scale;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The discrete neighbourhood of a point, laid flat: sections 2.2 and 2.3.
+// The discrete neighbourhood of a point, projected to the plane: sections 2.2 and 2.3.
 #pragma once
 
 #include <span>
@@ -15,14 +15,14 @@ namespace rimline {
 // Assumption 2.4's share of the second principal direction; 0 where all neighbours coincide.
 double delta(const PrincipalAxes& axes);
 
-// The neighbours of a few points at a time, a lane each, each coordinate in an array of its own. All arrays
-// are filled up with zeros to an even length: a neighbour on the point itself, which adds nothing to any sum.
+// The neighbours of several points at a time, one point in each lane, one array for each coordinate. All
+// arrays are padded with zeros to an even length: an offset of zero adds nothing to any sum.
 class Neighbourhoods {
  public:
   explicit Neighbourhoods(int k) : k_(k), x_(k + k % 2), y_(x_), z_(x_), u_(x_), v_(x_) {}
 
-  // Takes the offsets of the k nearest neighbours of the points from `first` on, as many as there are lanes
-  // or points up to `end`. What lanes that are left over hold does not matter.
+  // Takes the offsets of the k nearest neighbours of the points from `first` on: as many points as there are
+  // lanes, or up to `end`. The content of unused lanes does not matter.
   void gather(Points points, const Neighbours& neighbours, Index first, Index end);
 
   // The sums of squares about the centroid of `count` points: of the k neighbours, or of k + 1, them and the

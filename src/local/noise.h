@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the points lie off a smooth surface, and where they would be without that.
+// Measures the noise of the points and removes it.
 #pragma once
 
 #include <vector>
@@ -10,29 +10,28 @@
 
 namespace rimline {
 
-// What scatters the points about the surface and its rims.
+// Model of the scatter of the points about the surface and its rims.
 struct NoiseModel {
   double noise = 0;      // standard deviation of the points over the spacing
-  double irregular = 0;  // 1 where points are strewn at random, 0 where they keep apart
+  double irregular = 0;  // 1 where points are random, 0 where they are evenly spaced
   bool anisotropic =
       false;  // whether points lie closer in one direction than in another, as along scan lines
 };
 
-// How far the neighbours of a point lie off the quadric through the 12 nearest: standard deviation over the
-// spacing.
+// Standard deviation, over the spacing, of the neighbours of a point from the quadric through the 12 nearest.
 double quadric_deviation(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                          Index point);
 
 // The standard deviation of the points across the surface, over the spacing; above 0 even for exact points of
-// a curved surface. From the deviations at some points. Their lower quartile is asked: noise is everywhere,
-// while creases and relief that the quadrics can not follow are at some places only. On coarse points of a
-// strongly curved surface these are most places, so the lower twentieth must tell nearly the same noise as
-// the quartile; less of it is relief, and the level falls to 0, unless points lie as close together as noise,
-// misregistered scans and chance have them. `variation_of_nearest`: of the nearest distances over the
-// spacing, standard deviation over mean.
+// a curved surface. Estimated from the deviations at some points, by their lower quartile: noise is
+// everywhere, while creases and relief that quadrics can not follow are local. On coarse points of a strongly
+// curved surface relief is nearly everywhere, so the lower twentieth must give nearly the same noise as the
+// quartile. Where it gives less, the deviations are relief and the level falls to 0, unless points lie as
+// close together as under noise, misregistration or chance. `variation_of_nearest`: coefficient of variation
+// of the nearest distances over the spacing.
 double noise_level(std::vector<double> deviations, double variation_of_nearest);
 
-// How much of the noise is to be heeded, in [0, 1]: nothing of what the quadrics leave on clean scans.
+// The share of the noise that is removed, in [0, 1]: 0 up to the level that quadrics leave on clean scans.
 double noise_weight(double level);
 
 // The points moved along their normals by `weight` of the way to the quadric through the 24 nearest.

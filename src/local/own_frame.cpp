@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/parallel.h"
 #include "local/principal_axes.h"
@@ -11,77 +10,118 @@
 namespace rimline {
 namespace {
 
-struct Squares {
-  Point same, different;  // sums of xx, yy, zz and of xy, xz, yz
-};
-
-Point operator+=(Point& sum, Point p) { return sum = sum + p; }
-void operator+=(Squares& sum, const Squares& s) { sum.same += s.same, sum.different += s.different; }
-
-// The sum of what of(p) gives for each point, from parts of the same size for any number of threads.
-template <class Sum, class Of>
-Sum sum_over(Points points, const Run& run, const Of& of) {
-  constexpr std::size_t in_part = 16384;  // [speed]
-  std::vector<Sum> parts((points.size() + in_part - 1) / in_part);
-  parallel_tasks(parts.size(), Stage::Survey, run, [&](std::size_t k) {
-    Sum sum;  // parts side by side would share a line of the cache
-    for (const Point p : points.subspan(k * in_part, std::min(in_part, points.size() - k * in_part)))
-      sum += of(p);
-    parts[k] = sum;
-  });
-  run.check_cancel();
-  Sum sum;
-  for (const Sum& part : parts) sum += part;
-  return sum;
+std::array<double, 6> products(Point d) {
+  return {d.x * d.x, d.x * d.y, d.x * d.z, d.y * d.y, d.y * d.z, d.z * d.z};
 }
 
-Point cubed(Point v) { return {v.x * v.x * v.x, v.y * v.y * v.y, v.z * v.z * v.z}; }
+std::array<double, 10> triple_products(Point d) {
+  const auto [xx, xy, xz, yy, yz, zz] = products(d);
+  return {xx * d.x, xx * d.y, xx * d.z, xy * d.y, xy * d.z, xz * d.z, yy * d.y, yy * d.z, yz * d.z, zz * d.z};
+}
 
-// Where a point is in steps of a 3,000th of the extent, mixed to a number in [0, 1): points side by side
-// differ, and rounding changes hardly any.
-double mixed(const OwnFrame& frame, Point p) {
-  constexpr double steps = 3000, a = 0.7548776662466927, b = 0.5698402909980532;  // [layout]
-  const Point at = (steps / frame.extent) * frame.in(p - frame.centre);
-  const double mix = a * at.x + b * at.y + (1 - b) * at.z;
-  return mix - std::floor(mix);
+template <std::size_t size>
+void add(std::array<double, size>& sum, double weight, const std::array<double, size>& more) {
+  for (std::size_t i = 0; i < size; ++i) sum[i] += weight * more[i];
+}
+
+// Sums of three products of a coordinate and a second moment, in the order of Moments::third.
+std::array<double, 10> crossed(Point d, const std::array<double, 6>& m) {
+  const auto [xx, xy, xz, yy, yz, zz] = m;
+  return {3 * d.x * xx,
+          2 * d.x * xy + d.y * xx,
+          2 * d.x * xz + d.z * xx,
+          2 * d.y * xy + d.x * yy,
+          d.x * yz + d.y * xz + d.z * xy,
+          2 * d.z * xz + d.x * zz,
+          3 * d.y * yy,
+          2 * d.y * yz + d.z * yy,
+          2 * d.z * yz + d.y * zz,
+          3 * d.z * zz};
+}
+
+// Two passes: the mean first.
+Moments moments_of_part(Points part) {
+  Moments moments;
+  moments.count = static_cast<double>(part.size());
+  Point sum{};
+  for (const Point p : part) sum = sum + p;
+  moments.mean = (1 / moments.count) * sum;
+  for (const Point p : part) {
+    add(moments.second, 1, products(p - moments.mean));
+    add(moments.third, 1, triple_products(p - moments.mean));
+  }
+  return moments;
+}
+
+// The third moment along a direction.
+double skew_along(Point a, const std::array<double, 10>& third) {
+  constexpr std::array<double, 10> times{1, 3, 3, 3, 6, 3, 1, 3, 3, 1};
+  const std::array<double, 10> products = triple_products(a);
+  double sum = 0;
+  for (std::size_t i = 0; i < third.size(); ++i) sum += times[i] * products[i] * third[i];
+  return sum;
 }
 
 }  // namespace
 
-OwnFrame own_frame(Points points, const Run& run) {
-  OwnFrame frame;
-  const double share = 1 / static_cast<double>(points.size());
-  frame.centre = share * sum_over<Point>(points, run, [](Point p) { return p; });
-  const Squares sum = sum_over<Squares>(points, run, [&](Point p) {
-    const Point d = p - frame.centre;
-    return Squares{{d.x * d.x, d.y * d.y, d.z * d.z}, {d.x * d.y, d.x * d.z, d.y * d.z}};
+Moments& Moments::operator+=(const Moments& other) {
+  if (other.count == 0) return *this;
+  if (count == 0) return *this = other;
+  const double a = count, b = other.count, all = a + b;
+  const Point d = other.mean - mean;
+  add(third, 1, other.third);
+  add(third, a * b * (a - b) / (all * all), triple_products(d));
+  add(third, a / all, crossed(d, other.second));
+  add(third, -b / all, crossed(d, second));
+  add(second, 1, other.second);
+  add(second, a * b / all, products(d));
+  mean = mean + (b / all) * d;
+  count = all;
+  return *this;
+}
+
+Moments moments_of(Points points, const Run& run) {
+  constexpr std::size_t in_part = 16384;  // [speed] the same for any number of threads
+  std::vector<Moments> parts((points.size() + in_part - 1) / in_part);
+  parallel_tasks(parts.size(), Stage::Survey, run, [&](std::size_t k) {
+    parts[k] = moments_of_part(points.subspan(k * in_part, std::min(in_part, points.size() - k * in_part)));
   });
-  const Point squares = share * sum.same, products = share * sum.different;
-  const double extent = std::sqrt(squares.x + squares.y + squares.z);
+  run.check_cancel();
+  Moments sum;
+  for (const Moments& part : parts) sum += part;
+  return sum;
+}
+
+OwnFrame own_frame(const Moments& moments) {
+  constexpr double flat = 1e-12;  // of the variance in the middle direction [guard]
+  OwnFrame frame;
+  frame.centre = moments.mean;
+  frame.count = moments.count;
+  std::array<double, 6> variance{};
+  add(variance, 1 / moments.count, moments.second);
+  const auto [xx, xy, xz, yy, yz, zz] = variance;
+  const double extent = std::sqrt(xx + yy + zz);
   if (!(extent > 0) || !std::isfinite(extent)) return frame;
   frame.extent = extent;
-  const PrincipalAxes found =
-      principal_axes({squares.x, products.x, products.y, squares.y, products.z, squares.z});
+  const PrincipalAxes found = principal_axes({xx, xy, xz, yy, yz, zz});
+  frame.is_flat = found.lambda[0] <= flat * found.lambda[1];
   frame.axes = {found.v[2], found.v[1], cross(found.v[2], found.v[1])};
-  const Point skew =
-      sum_over<Point>(points, run, [&](Point p) { return cubed((1 / extent) * frame.in(p - frame.centre)); });
-  if (skew.x < 0) frame.axes[0] = -1 * frame.axes[0];
-  if (skew.y < 0) frame.axes[1] = -1 * frame.axes[1];
+  for (const int axis : {0, 1}) {
+    if (skew_along(frame.axes[axis], moments.third) < 0) frame.axes[axis] = -1 * frame.axes[axis];
+  }
   frame.axes[2] = cross(frame.axes[0], frame.axes[1]);
   return frame;
 }
 
-std::vector<Index> some_of(Points points, const OwnFrame& frame, std::size_t most, const Run& run) {
-  std::vector<Index> all(points.size() <= most ? points.size() : 0);
-  std::iota(all.begin(), all.end(), 0);
-  if (!all.empty()) return all;
-  const double share = static_cast<double>(most) / static_cast<double>(points.size());
-  std::vector<Index> some =
-      parallel_gather<Index>(points.size(), Stage::Survey, run, [&](Index i, std::vector<Index>& found) {
-        if (mixed(frame, points[i]) < share) found.push_back(i);
-      });
-  if (some.empty()) some.push_back(0);
-  return some;
+OwnFrame own_frame(Points points, const Run& run) { return own_frame(moments_of(points, run)); }
+
+// Mixes the position in steps of a 3,000th of the extent: neighbouring points get different numbers, and
+// rounding changes hardly any.
+double strewn(const OwnFrame& frame, Point point) {
+  constexpr double steps = 3000, a = 0.7548776662466927, b = 0.5698402909980532;  // [layout]
+  const Point at = (steps / frame.extent) * frame.in(point - frame.centre);
+  const double mix = a * at.x + b * at.y + (1 - b) * at.z;
+  return mix - std::floor(mix);
 }
 
 }  // namespace rimline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cloud's own directions, which turn with it.
+// A coordinate frame of the cloud that is invariant to rotation.
 #pragma once
 
 #include <array>
@@ -10,23 +10,39 @@
 
 namespace rimline {
 
-// The principal axes of all points about their mean, right-handed, with the signs that make the third moments
-// along the first two positive. What depends on directions or on a choice of points goes by these, so that a
-// cloud that is turned gives the same result; where two axes are equally long they are any.
+// The number of points, their mean, and the sums of products of two and of three coordinates relative to it.
+// Moments of parts that share no point, added up, are those of the whole, to rounding (Pebay 2008).
+struct Moments {
+  double count = 0;
+  Point mean{};
+  std::array<double, 6> second{};  // xx, xy, xz, yy, yz, zz
+  std::array<double, 10> third{};  // xxx, xxy, xxz, xyy, xyz, xzz, yyy, yyz, yzz, zzz
+
+  Moments& operator+=(const Moments& other);
+};
+
+Moments moments_of(Points points, const Run& run);
+
+// The principal axes of all points about their mean, right-handed. Signs are such that the third moments
+// along the first two axes are positive. Choices that need a direction, or a subset of the points, are made
+// in this frame, so that a rotated cloud gives the same result. Axes of equal length are arbitrary.
 struct OwnFrame {
   Point centre;
   std::array<Point, 3> axes{Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};  // the longest first
-  double extent = 1;  // root of the mean square distance to the centre
+  double extent = 1;    // root of the mean square distance to the centre
+  bool is_flat = true;  // whether the points lie in a plane, to rounding
+  double count = 0;     // of the points
 
-  // A vector of the cloud's space in the frame, and back.
+  // Transforms a vector into the frame, and back.
   Point in(Point v) const { return {dot(v, axes[0]), dot(v, axes[1]), dot(v, axes[2])}; }
   Point out(Point v) const { return v.x * axes[0] + v.y * axes[1] + v.z * axes[2]; }
 };
 
+OwnFrame own_frame(const Moments& moments);
 OwnFrame own_frame(Points points, const Run& run);
 
-// About `most` of the points, ascending; all where there are no more. They are strewn over the cloud by where
-// they are in its own frame, not by their order.
-std::vector<Index> some_of(Points points, const OwnFrame& frame, std::size_t most, const Run& run);
+// A pseudorandom number in [0, 1) that depends on the position of the point in the frame. The points with a
+// number below a share are a sample of that share, and the same sample where the cloud is rotated.
+double strewn(const OwnFrame& frame, Point point);
 
 }  // namespace rimline

@@ -14,7 +14,8 @@ SampleKey sample_key(Point p) {
 }
 
 std::vector<Index> choose_sample(Points points, std::size_t most, const Run& run) {
-  // Nearly always twice as many as are wanted have a hash below this; all are taken where they do not.
+  // Nearly always twice as many points as wanted have a hash below this bound; all points are taken where
+  // they do not.
   constexpr double all = 0x1p64;  // [layout]
   const double share = 2.0 * static_cast<double>(most) / static_cast<double>(points.size());
   const auto below = [&](double bound) {

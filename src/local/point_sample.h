@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A random sample of the points that depends on their coordinates alone, so that samples of parts add up.
+// A random sample of the points that depends on their coordinates alone, so that samples of parts can be
+// merged.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 
 namespace rimline {
 
-// The order in which points enter a sample: by a hash of their coordinates, and where that ties by these.
+// The order in which points enter a sample: by a hash of their coordinates, ties by the coordinates.
 struct SampleKey {
   std::uint64_t hash = 0;
   Point at;
@@ -28,8 +29,8 @@ std::vector<Index> choose_sample(Points points, std::size_t most, const Run& run
 
 SampleKey sample_key(Point point);
 
-// What was measured at the points of least key of a part, or of the whole: a bottom-k sketch (Cohen & Kaplan
-// 2007). Samples of parts that share no point, added up, are that of the whole.
+// Measurements at the points of least key of a part, or of the whole: a bottom-k sketch (Cohen & Kaplan
+// 2007). The merged samples of disjoint parts are the sample of the whole.
 template <class Value>
 struct PointSample {
   std::size_t most = 0;

@@ -28,7 +28,7 @@ inline double largest_root(double r) {
   return x;
 }
 
-// The unit vector that a matrix of rank two sends to zero: across its two most independent rows.
+// The unit vector in the kernel of a matrix of rank two: the cross product of its two most independent rows.
 inline Point null_vector(const Covariance& m) {
   const Point a{m.xx, m.xy, m.xz}, b{m.xy, m.yy, m.yz}, c{m.xz, m.yz, m.zz};
   const Point ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);

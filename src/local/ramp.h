@@ -6,7 +6,7 @@
 
 namespace rimline {
 
-// 0 up to the first value, 1 from the last on, linear between.
+// 0 up to the first value, 1 from the last on, linear in between.
 inline double ramp(double value, double first, double last) {
   return std::clamp((value - first) / (last - first), 0.0, 1.0);
 }

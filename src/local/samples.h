@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points of a surface with what is known of the neighbourhood of each.
+// The points of a surface with their neighbourhoods.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace rimline {
 
-// Refers to the points, the lists and the spacings, which must outlive it.
+// Holds references: the points, the lists and the spacings must outlive it.
 struct Samples {
   Points points;
   const Neighbours& neighbours;

@@ -19,8 +19,9 @@ PointSample<Value> measure_at(Points points, std::span<const Index> ids, std::si
                               const Measure& measure) {
   PointSample<Value> sample{most, {}};
   sample.items.resize(std::min(most, ids.size()));
-  parallel_tasks(sample.items.size(), Stage::Survey, run,
-                 [&](std::size_t i) { sample.items[i] = {sample_key(points[ids[i]]), measure(ids[i])}; });
+  parallel_tasks(sample.items.size(), Stage::Survey, run, [&](std::size_t i) {
+    sample.items[i] = {sample_key(points[ids[i]]), measure(ids[i])};
+  });
   return sample;
 }
 
@@ -86,7 +87,7 @@ SamplingProfile profile_of(const SamplingSample& sample) {
   const double level = noise_of(sample.measures);
   const double anisotropy = level > model::noise_asked ? anisotropy_of(sample.anisotropy) : 0;
   SamplingProfile profile;
-  // Along scan lines points are closer than the spacing, so that less noise is much there.
+  // Along scan lines the nearest points are closer than the spacing, so that less noise matters.
   profile.noise_weight = noise_weight(level * std::exp(anisotropy / 2));
   profile.noise = {profile.noise_weight > 0 ? level : 0,
                    irregularity(distances_of(sample.measures), sample.k), anisotropy > 0};

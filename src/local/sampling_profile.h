@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a surface was sampled: what is judged over the whole of it.
+// Properties of the sampling that are judged over the whole surface.
 #pragma once
 
 #include <span>
@@ -17,8 +17,8 @@ namespace rimline {
 
 struct SamplingProfile {
   NoiseModel noise;             // none where the points are clean
-  double noise_weight = 0;      // share of the noise that is taken off the points, in [0, 1]
-  bool is_range_image = false;  // the points are a scanner's raster; nothing else is asked then
+  double noise_weight = 0;      // share of the noise that is removed, in [0, 1]
+  bool is_range_image = false;  // the points are a range image; nothing else is measured then
 
   // Whether points are so nearly random that rims look jagged by chance.
   bool is_random() const { return noise.irregular >= model::is_random; }
@@ -30,15 +30,15 @@ inline SamplingProfile of_range_image() {
   return profile;
 }
 
-// What is measured at one point.
+// Measures at one point.
 struct SamplingMeasures {
   double deviation = 0;  // off a quadric, over the spacing
   Distances distances;
 };
 
-// What the profile is made of: measures at up to 4,096 points and anisotropy at up to 256 of these. Of a part
-// of the points that has the same neighbours and spacings as in the whole; samples of parts that share no
-// point add up to that of the whole, and give the same profile.
+// A sample from which the profile is computed: measures at up to 4,096 points, and anisotropy at up to 256 of
+// these. It can be taken of a part of the points, with the neighbours and spacings of the whole. Samples of
+// disjoint parts, added up, give the profile of the whole.
 struct SamplingSample {
   PointSample<SamplingMeasures> measures;
   PointSample<double> anisotropy;
@@ -52,7 +52,7 @@ SamplingSample sample_sampling(Points points, std::span<const Index> part, const
                                const std::vector<double>& spacing, const Run& run);
 SamplingProfile profile_of(const SamplingSample& sample);
 
-// The profile of all points, which are no range image. Measures anisotropy only where it is asked for.
+// The profile of all points, which must not be a range image. Anisotropy is measured only where it is needed.
 SamplingProfile profile_sampling(Points points, const Neighbours& neighbours,
                                  const std::vector<double>& spacing, const Run& run);
 

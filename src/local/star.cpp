@@ -16,9 +16,9 @@
 namespace rimline {
 namespace {
 
-// Points on one circle (grids) have many Delaunay triangulations, and the stars must agree on one. So each
-// point gets a weight far below the spacing squared, from its place in the cloud's own frame alone, and the
-// cells are those of the power diagram of these weights: ties are settled the same way in every star.
+// Cocircular points (grids) have many Delaunay triangulations, and the stars must agree on one. So each point
+// gets a weight far below the squared spacing, from its position in the cloud's own frame, and the cells are
+// those of the power diagram of these weights. Ties are broken the same way in every star.
 double tie_weight(Point p, const OwnFrame& frame, double spacing) {
   const Point at = (1 / spacing) * frame.in(p - frame.centre);
   const double wave = std::sin(17.3 * at.x + 29.9 * at.y + 41.1 * at.z);  // [guard]
@@ -33,10 +33,10 @@ struct Bisectors {
   std::array<double, most> steep;    // not negative where it is on another sheet
 };
 
-// How far a cell reaches where no neighbour bounds it.
+// The extent of a cell where no neighbour bounds it.
 enum class Reach {
   Far,        // 20 spacings: farther than any triangle that can be kept
-  WithinList  // as far as the last neighbour
+  WithinList  // distance of the last neighbour
 };
 
 class CellCutter {
@@ -54,8 +54,8 @@ class CellCutter {
                       [&](Index i) { weight_[i] = tie_weight(points[i], own, spacing[i]); });
   }
 
-  // Cuts the cell of a point with its neighbours. Returns whether no other point counts: one of the
-  // neighbours was too far to reach the cell, so that all that are farther are, too.
+  // Cuts the cell of a point by its neighbours. Returns whether no other point can cut it: one of the
+  // neighbours was too far, and all that are farther are, too.
   bool cut_by_own(VoronoiCell& cell, Index self) const {
     constexpr double far = 20;  // spacings [guard]
     const bool is_far = reach_ == Reach::Far;
@@ -77,14 +77,15 @@ class CellCutter {
     return false;
   }
 
-  // Of a side of a cell: its length over the distance of the neighbour beyond it; 0 where there is none.
+  // Weight of a side of a cell: its length over the distance of the neighbour beyond it; 0 where there is
+  // none.
   double weight(const VoronoiCell& cell, Index self, std::size_t side) const {
     const Index beyond = cell.sides()[side];
     return beyond == none ? 0 : cell.side_length(side) / distance(points_[self], points_[beyond]);
   }
 
  private:
-  // Several at once, for the roots and quotients of one wait for those of no other.
+  // Several at once: the square roots and quotients of one do not wait for those of another.
   Bisectors bisectors_of(Index self, std::span<const Index> others) const {
     constexpr double steepest = model::star_steepest;
     const Frame& frame = frames_[self];
@@ -102,7 +103,8 @@ class CellCutter {
       const double height = x[i] * frame.normal.x + y[i] * frame.normal.y + z[i] * frame.normal.z;
       const double u = x[i] * frame.u.x + y[i] * frame.u.y + z[i] * frame.u.z;
       const double v = x[i] * frame.v.x + y[i] * frame.v.y + z[i] * frame.v.z;
-      const double scale = std::sqrt(squared / (u * u + v * v));  // the true distance, as if rolled out
+      const double scale =
+          std::sqrt(squared / (u * u + v * v));  // the true distance, as if the surface were unrolled
       result.a[i] = scale * u;
       result.b[i] = scale * v;
       result.c[i] = 0.5 * (squared + weight_[self] - weight[i]);
@@ -120,10 +122,10 @@ class CellCutter {
   std::vector<double> weight_;
 };
 
-// A point, and one that has it in its list without being in the list of the first.
+// A point i, and a point that has i in its list without being in the list of i.
 using OneWay = std::pair<Index, Index>;
 
-// Those of the marked points, by point and then by the other.
+// The pairs of the marked points, sorted.
 std::vector<OneWay> find_one_way(Points points, const Neighbours& neighbours,
                                  const std::vector<std::uint8_t>& marked, const Run& run) {
   auto found =
@@ -138,7 +140,7 @@ std::vector<OneWay> find_one_way(Points points, const Neighbours& neighbours,
   return found;
 }
 
-// Stars of points in a row.
+// Stars of a block of points.
 struct Row {
   std::vector<Index> ids;
   std::vector<double> weights;
@@ -207,8 +209,8 @@ class StarFinder {
     });
   }
 
-  // Only where the own list ends too early can those who have the point in theirs cut its cell: they are
-  // farther than all of the list.
+  // Points that have the point in their list, without being in its own list, are farther than all of the
+  // list. They can cut the cell only where the list ends before the cell is settled.
   void cut_open_ones() {
     const std::vector<OneWay> one_way = find_one_way(points_, neighbours_, is_open_, run_);
     for_each_row(points_.size(), run_, [&](std::size_t r, Index, Index) {
@@ -223,7 +225,7 @@ class StarFinder {
     });
   }
 
-  // One array of all, in the order of the points.
+  // Joins the blocks into one array, in the order of the points.
   Stars gathered() {
     std::vector<std::size_t> start(points_.size() + 1, 0);
     for (std::size_t i = 0; i < points_.size(); ++i) start[i + 1] = start[i] + size_[i];
@@ -264,7 +266,7 @@ Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<
 }
 
 Stars find_weighted_stars(Points points, const Neighbours& neighbours, const Run& run) {
-  const Run silent = run.without_progress();  // a part of whichever stage asks
+  const Run silent = run.without_progress();  // it is part of the caller's stage
   const std::vector<double> spacing = local_spacing(points, neighbours, silent);
   std::vector<Frame> frames(points.size());
   parallel_for_each(points.size(), Stage::Survey, silent, [&](Index i) {

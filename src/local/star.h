@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The local Delaunay star of a point: which neighbours surround it, in order.
+// The local Delaunay star of a point: the neighbours that surround it, in order.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@
 
 namespace rimline {
 
-// The neighbours around a point, counter-clockwise in its frame; each two in a row (and the last with the
-// first) make a triangle with the point. `none` stands where the point's Voronoi cell is open.
+// The neighbours around a point, counter-clockwise in its frame. Each two in a row (and the last with the
+// first) make a triangle with the point. `none` marks an open side of the point's Voronoi cell.
 using Star = std::span<const Index>;
 
-// One star per point, one after another in one array.
+// One star per point, concatenated in one array.
 class Stars {
  public:
   Stars() = default;
@@ -41,20 +41,21 @@ class Stars {
   UnfilledVector<double> weights_;
 };
 
-// The point's neighbours, and those that have it as theirs, are laid out in its tangent plane at their true
-// distance. Its Voronoi cell is cut out of the plane by their bisectors, nearest first; the bisectors that
-// bound the cell name the star. Needs about one microsecond a point; no general Delaunay triangulation is
-// built. The stars have no weights.
+// Finds the stars. The neighbours of a point, and the points that have it as a neighbour, are projected to
+// its tangent plane at their true distance. The Voronoi cell is cut by their bisectors, nearest first; the
+// bisectors that bound the cell give the star. Takes about one microsecond a point; no global Delaunay
+// triangulation is built. The stars have no weights.
 //
-// Neighbours in lists of each other are needed at density borders: a point on the dense side does not have
-// those of the sparse side among its nearest, but they have it.
+// Both directions are needed at density borders: a point on the dense side does not have the points of the
+// sparse side among its nearest, but they have it.
 Stars find_stars(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                  const std::vector<Frame>& frames, const Run& run);
 
-// Stars cut by the point's own list alone and no wider than that, with the weights of natural neighbours: the
-// length of the common side of two cells over the distance of their points. They are positive, and exact for
-// linear functions where the cell is closed and flat (Sibson 1981; Belikov et al. 1997). [ours: the paper's
-// reciprocal distances to k neighbours reach across walls and holes]
+// Finds stars from the point's own list alone, with cells that reach no farther than the list, and with
+// weights of natural neighbours: the length of the common side of two cells over the distance of their
+// points. Weights are positive, and exact for linear functions where the cell is closed and flat (Sibson
+// 1981; Belikov et al. 1997). [ours: the paper's reciprocal distances to k neighbours reach across walls and
+// holes]
 Stars find_weighted_stars(Points points, const Neighbours& neighbours, const Run& run);
 
 }  // namespace rimline

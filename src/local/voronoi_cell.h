@@ -54,7 +54,7 @@ class VoronoiCell {
     const std::uint32_t all = (std::uint32_t{1} << count_) - 1;
     const std::uint32_t before = beyond << 1 | beyond >> (count_ - 1);  // the bit of the corner before each
     const std::uint32_t first = beyond & ~before & all, kept = before & ~beyond & all;
-    // Corners in a row go; all of them, or several rows, where rounding bends a side.
+    // Consecutive corners are cut off; rounding can bend a side, so that all are, or several runs.
     if (first != 0 && (first & (first - 1)) == 0) {
       cut_row(static_cast<std::size_t>(std::countr_zero(first)),
               static_cast<std::size_t>(std::countr_zero(kept)), side);
@@ -73,7 +73,7 @@ class VoronoiCell {
     void put(std::size_t i, double at_x, double at_y, Index leaving) {
       x[i] = at_x, y[i] = at_y, side[i] = leaving;
     }
-    // Moves the corners from one place on to another: always as many, which spares a loop of unknown length.
+    // Moves corners to another position: always the same number, which avoids a loop of unknown length.
     void move(std::size_t from, std::size_t to) {
       move_few(x.data() + from, x.data() + to);
       move_few(y.data() + from, y.data() + to);
@@ -138,7 +138,7 @@ class VoronoiCell {
     if (farthest > 0) clip(side);
   }
 
-  // Whichever corners go.
+  // The general case: any set of corners is cut off.
   void clip(Index side) {
     std::size_t next = 0;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -154,7 +154,7 @@ class VoronoiCell {
     measure();
   }
 
-  // Room for any cut of that many corners: where rounding bends sides it may add half as many.
+  // Reserves room for any cut of so many corners: where rounding bends sides it may add half as many.
   void reserve(std::size_t count) {
     if (beyond_.size() >= 2 * count + few) return;
     beyond_.resize(4 * count + few);

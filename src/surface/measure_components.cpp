@@ -11,7 +11,7 @@
 namespace rimline {
 namespace {
 
-// Adds to a sum that others add to, too: whole numbers give the same sum in any order.
+// Adds to a shared sum: integers give the same sum in any order.
 void add(std::size_t& sum, std::size_t count) {
   if (count != 0) std::atomic_ref(sum).fetch_add(count, std::memory_order_relaxed);
 }
@@ -47,7 +47,7 @@ template <class Visit>
 void for_each_component_at(Index v, const TriangleSet& set, const Components& components,
                            std::vector<Index>& here, const Visit& visit) {
   here.clear();
-  Index newest = none;  // most triangles are on the same as the one before
+  Index newest = none;  // most triangles are on the same component as the one before
   for (const Index t : set.star(v)) {
     const Index c = components.of_triangle[t];
     if (c == none || c == newest || std::find(here.begin(), here.end(), c) != here.end()) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the connected components of the selected triangles are made of.
+// Measures of the connected components of the selected triangles.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace rimline {
 
-// Whether a component is more than a scrap.
+// Whether a component is large enough to be a surface.
 bool is_surface(const SurfaceComponent& component);
 
-// Points, triangles and Euler number of each component; no loops yet.
+// Points, triangles and Euler number of each component; loops are not counted yet.
 std::vector<SurfaceComponent> measure_components(const TriangleSet& set, const Selection& selection,
                                                  const Components& components, const Run& run);
 
-// Interior where a point is on a triangle of a surface, else stray.
+// Interior where a point is in a triangle of a surface, else stray.
 std::vector<PointLabel> label_stray_points(const TriangleSet& set, const Components& components,
                                            const std::vector<SurfaceComponent>& measured, const Run& run);
 

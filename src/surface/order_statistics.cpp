@@ -10,8 +10,8 @@
 namespace rimline {
 namespace {
 
-// Buckets of values in the order of their bits, which for numbers that are not negative is their own order:
-// sixteen an octave, four octaves about a value in the middle of things; what lies beyond goes to the ends.
+// Buckets of values in the order of their bits, which is the order of nonnegative numbers: sixteen an octave,
+// four octaves about a middle value; values beyond go to the end buckets.
 constexpr int buckets = 64;  // [speed]
 constexpr int shift = 48;    // [layout]
 
@@ -41,8 +41,8 @@ void insertion_sort(double* first, std::size_t count) {
 
 constexpr std::size_t most = 256;  // values that are looked at in buckets [speed]
 
-// Copies the values of one bucket. Eight values are asked at a time: for each byte of a word that is zero the
-// highest bit of the byte is set.
+// Copies the values of one bucket. Eight values are tested at a time: the highest bit of each zero byte of a
+// word is set.
 std::size_t take_bucket(std::span<const double> values, const std::array<std::uint8_t, most>& bucket,
                         std::size_t wanted, std::array<double, most>& inside) {
   constexpr std::uint64_t low = 0x7f7f7f7f7f7f7f7f, ones = 0x0101010101010101;  // [layout]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Order statistics of about a hundred values, a million times over.
+// Order statistics of about a hundred values, called a million times.
 #pragma once
 
 #include <array>

@@ -34,7 +34,7 @@ double over_spacing(double radius, const Triangle& t, const std::vector<double>&
 
 constexpr std::uint32_t nowhere = ~std::uint32_t{0};
 
-// The place in a star of the corner between a and b, in either order.
+// The index in a star of the corner between a and b, in either order.
 std::uint32_t corner_between(Star star, Index a, Index b) {
   constexpr std::size_t most = 32;  // [layout]
   const std::size_t count = star.size();
@@ -56,14 +56,14 @@ std::uint32_t corner_between(Star star, Index a, Index b) {
   return nowhere;
 }
 
-// A triangle that is in the stars of all its corners, and its place in each.
+// A triangle that is in the stars of all its corners, and its index in each.
 struct Agreed {
   Triangle triangle;
   std::array<std::uint32_t, 3> places;
   double radius;
 };
 
-// What the stars of points in a row are the first to name.
+// Triangles that the stars of a block of points are the first to name.
 struct Row {
   std::vector<Agreed> agreed;
   std::vector<Proposal> rest;
@@ -72,8 +72,8 @@ struct Row {
 constexpr std::size_t points_in_row = 4096;    // [speed]
 constexpr std::size_t tries_per_look = 65536;  // triangles between two looks at the stop flag [speed]
 
-// What all stars name, read in two rounds: of most triangles all corners have them in their stars, which the
-// corner of least id finds out for all three. So the second round need not ask again.
+// Reads the triangles of all stars in two rounds. Most triangles are in the stars of all their corners, which
+// the corner of least id establishes for all three, so that the second round need not test them again.
 class StarReader {
  public:
   StarReader(Points points, const Stars& stars, const std::vector<double>& spacing, double largest,
@@ -124,7 +124,7 @@ class StarReader {
       if (a == none || b == none) continue;
       const bool by_a = corner_between(stars_[a], v, b) != nowhere;
       const bool by_b = corner_between(stars_[b], v, a) != nowhere;
-      if ((by_a && a < v) || (by_b && b < v)) continue;  // that one names it, too
+      if ((by_a && a < v) || (by_b && b < v)) continue;  // that corner names it, too
       const double radius = circumradius(points_[v], points_[a], points_[b]);
       const double s = over_spacing(radius, {v, a, b}, spacing_);
       if (s <= largest_) rest.push_back({{v, a, b}, 1 + by_a + by_b, s});
@@ -138,10 +138,10 @@ class StarReader {
   std::vector<std::uint8_t> is_read_;  // of each corner of the stars
 };
 
-// The set of the triangles that all agree on, in the order of the rows.
+// The set of the triangles that all corners agree on, in the order of the blocks.
 void take_agreed(TriangleSet& set, const Stars& stars, std::vector<Row>& rows, const Run& run) {
   std::vector<std::size_t> start{0};
-  std::size_t more = 0;  // that may follow: the rest, and ears
+  std::size_t more = 0;  // triangles that may follow: the rest, and ears
   for (const Row& row : rows) {
     start.push_back(start.back() + row.agreed.size());
     more += row.rest.size();
@@ -235,7 +235,7 @@ class Proposer {
   TriangleSet& set_;
   const std::vector<double>& spacing_;
   double largest_;
-  // The smallest on top, of equal ones the first by place.
+  // The smallest on top; ties by position.
   struct IsBehind {
     TriangleOrder is_before;
     bool operator()(const Ear& a, const Ear& b) const {

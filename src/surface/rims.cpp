@@ -12,7 +12,7 @@ namespace {
 
 Index if_selected(const Selection& selected, Index t) { return t != none && selected[t] ? t : none; }
 
-// Cuts a closed walk at each vertex it comes back to.
+// Splits a closed walk at each vertex that it visits again.
 void split_simple(const std::vector<Index>& walk, std::vector<std::vector<Index>>& loops) {
   std::vector<Index> open;
   std::unordered_map<Index, std::size_t> position;

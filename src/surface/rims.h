@@ -9,7 +9,7 @@
 
 namespace rimline {
 
-// Which triangles of a set are in: one byte each.
+// The selected triangles of a set: one byte each.
 using Selection = std::vector<std::uint8_t>;
 
 // The selected triangle at an edge, the first of two; or none.

@@ -15,16 +15,16 @@
 
 namespace rimline {
 
-// How many radii of each star are below each of 32 limits, a byte each. A radius is in the surroundings of
-// some twenty points, and how many are below the limits there is the sum of as many rows of bytes. So it pays
-// to look at these first, and at radii only where they do not tell enough.
+// The number of radii of each star below each of 32 limits, one byte each. A radius is in the surroundings of
+// some twenty points, and the counts of a point's surroundings are the sum of as many rows of bytes. So these
+// counts are tested first, and radii only where the counts do not suffice.
 class StarLevels {
  public:
   StarLevels(const TriangleSet& set, const Run& run);
-  // The marked stars, whose triangles have changed; limits stay as they are.
+  // Updates the marked stars, whose triangles have changed; the limits stay.
   void renew(const TriangleSet& set, const std::vector<std::uint8_t>& changed, const Run& run);
 
-  // What a radius of the level is at least, and less than.
+  // Bounds of the radii of a level: at least, and below.
   double least(int level) const { return least_[static_cast<std::size_t>(level)]; }
   double above(int level) const { return least_[static_cast<std::size_t>(level) + 1]; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An order of triangles that depends on where they are, not on how their points are numbered.
+// An order of triangles by their coordinates, independent of the numbering of the points.
 #pragma once
 
 #include <algorithm>

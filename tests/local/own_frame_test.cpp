@@ -44,11 +44,37 @@ TEST_CASE("the axes are unit vectors across each other, and out() takes back wha
   for (const Point p : points) CHECK(distance(own.out(own.in(p)), p) < 1e-12);
 }
 
-TEST_CASE("some of the points are about as many as asked, and the same ones where the cloud is turned") {
+TEST_CASE("points are strewn evenly, and the same ones where the cloud is turned") {
   const std::vector<Point> points = saddle(), other = turned(points);
-  const auto some = some_of(points, own_frame(points, {}), 500, {});
-  CHECK(some.size() > 400);
-  CHECK(some.size() < 600);
-  CHECK(some == some_of(other, own_frame(other, {}), 500, {}));
-  CHECK(some_of(points, own_frame(points, {}), points.size(), {}).size() == points.size());
+  const OwnFrame own = own_frame(points, {}), own_turned = own_frame(other, {});
+  int below = 0, different = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_below = strewn(own, points[i]) < 1.0 / 6;
+    below += is_below;
+    different += is_below != (strewn(own_turned, other[i]) < 1.0 / 6);
+  }
+  CHECK(below > 400);
+  CHECK(below < 600);
+  CHECK(different == 0);
+}
+
+TEST_CASE("moments are sums over the points, and those of parts add up to those of the whole") {
+  const std::vector<Point> points = saddle();
+  const Moments whole = moments_of(points, {});
+  Moments sum;
+  sum += moments_of(Points(points).subspan(2000), {});
+  sum += moments_of(Points(points).subspan(1, 1999), {});
+  sum += moments_of(Points(points).first(1), {});
+  CHECK(sum.count == static_cast<double>(points.size()));
+  CHECK(distance(sum.mean, whole.mean) < 1e-12);
+  for (int i = 0; i < 6; ++i) CHECK(sum.second[i] == doctest::Approx(whole.second[i]).epsilon(1e-9));
+  for (int i = 0; i < 10; ++i) CHECK(sum.third[i] == doctest::Approx(whole.third[i]).epsilon(1e-9));
+  double xyy = 0, zzz = 0;
+  for (const Point p : points) {
+    const Point d = p - whole.mean;
+    xyy += d.x * d.y * d.y;
+    zzz += d.z * d.z * d.z;
+  }
+  CHECK(whole.third[3] == doctest::Approx(xyy).epsilon(1e-9));
+  CHECK(whole.third[9] == doctest::Approx(zzz).epsilon(1e-9));
 }

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <set>
 
+#include "rimline/delaunay.h"
 #include "rimline/sample.h"
 
 namespace rimline {
@@ -96,6 +99,45 @@ TEST_CASE("a grid whose rim is not of it is no raster") {
     options.n = 10000;
     CHECK_FALSE(find(sample(options, {}).points).has_value());
   }
+}
+
+// Every third point, and every third triangle, is of the same part.
+TEST_CASE("samples of parts, added up in any order, give the view and the cells of the whole") {
+  const auto points = turned(scan(bowl));
+  const Neighbours neighbours = find_neighbours(points, 40, {});
+  const OwnFrame own = own_frame(points, {});
+  std::vector<Index> all(points.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  ViewSample sum{own.count, {}};
+  for (const Index part : {2, 0, 1}) {
+    std::vector<Index> ids;
+    std::ranges::copy_if(all, std::back_inserter(ids), [&](Index i) { return i % 3 == part; });
+    sum += sample_views(points, ids, neighbours, own, {});
+  }
+  const auto view = best_view(sum, {}),
+             of_whole = best_view(sample_views(points, all, neighbours, own, {}), {});
+  REQUIRE(view.has_value());
+  REQUIRE(of_whole.has_value());
+  CHECK(view->step == of_whole->step);
+  CHECK(distance(view->direction, of_whole->direction) == 0);
+
+  const auto [u, v] = axes_across(view->direction);
+  std::vector<UV> seen;
+  for (const Point p : points) seen.push_back({dot(own.in(p), u), dot(own.in(p), v)});
+  const std::vector<Triangle> triangles = delaunay(seen, {});
+  CellSample cells;
+  for (const Index part : {1, 2, 0}) {
+    std::vector<Triangle> some;
+    for (std::size_t t = static_cast<std::size_t>(part); t < triangles.size(); t += 3)
+      some.push_back(triangles[t]);
+    cells += sample_cells(points, some, seen, own, {});
+  }
+  const auto limit = largest_cell(cells, view->step);
+  const auto limit_of_whole = largest_cell(sample_cells(points, triangles, seen, own, {}), view->step);
+  REQUIRE(limit.has_value());
+  REQUIRE(limit_of_whole.has_value());
+  CHECK(limit->area == limit_of_whole->area);
+  CHECK(limit->radius == limit_of_whole->radius);
 }
 
 TEST_CASE("a depth jump parts the surface, a steep slope does not") {
