@@ -72,7 +72,8 @@ SearchResult SelectionSearch::search(const Candidates& candidates, Selection sel
     GroupSearch search(candidates, groups_, corners_, options_, result.selected, log_points);
     for (std::size_t g = begin; g < end; ++g) {
       const CandidateGroup& bits = groups_.all[g];
-      if (wanted(bits)) found[g] = search.search(bits, Random(run_.seed, g));
+      // The stream depends on the group alone, not on its number among the others.
+      if (wanted(bits)) found[g] = search.search(bits, Random(run_.seed, bits.size()));
     }
   };
   parallel_slices(groups_.all.size(), Stage::Loops, run_, search_slice, in_task);
