@@ -15,13 +15,13 @@
 
 namespace rimline {
 
-// What a point is, as far as its neighbourhood tells.
+// The kind of a point, judged by its neighbourhood.
 enum class PointLabel : std::uint8_t {
   Interior = 0,
   Boundary = 1,      // on a returned loop
-  Undersampled = 2,  // at a gap that is no boundary, as far as can be told
+  Undersampled = 2,  // at a gap in the sampling that is probably no boundary
   Crease = 3,        // at a gap where the surface folds or two sheets are close: sharp edges, thin walls
-  Stray = 4,         // on no triangle, or on a scrap of surface
+  Stray = 4,         // in no triangle, or in a component that is too small
 };
 
 // "interior", "boundary", "undersampled", "crease", "stray".
@@ -37,8 +37,8 @@ struct SurfaceComponent {
 
 // The genetic search, over all groups of candidate triangles.
 struct SelectionSummary {
-  std::size_t doubtful = 0;         // triangles that the search decides on: the bits of its chromosomes
-  std::size_t groups = 0;           // of them that do not influence each other
+  std::size_t doubtful = 0;         // candidate triangles: the bits of the chromosomes
+  std::size_t groups = 0;           // groups of candidates that do not influence each other
   double greedy = 0, best = 0;      // fitness of the choice by size alone, and of the best chromosomes
   std::vector<Generation> history;  // summed over the groups
 };
@@ -48,9 +48,10 @@ struct BoundaryLoops {
   std::vector<float> probability;  // per point, that it lies on a boundary, in [0, 1]
   std::vector<PointLabel> label;   // per point
   std::vector<SurfaceComponent> components;
-  std::vector<Triangle> triangles;  // the surface the loops bound, oriented per component, gaps left open
+  std::vector<Triangle>
+      triangles;  // the surface that the loops bound, oriented per component; gaps are left open
   SelectionSummary search;
-  bool range_scan = false;  // the points are a scanner's raster; those of no triangle are no surface
+  bool range_scan = false;  // the points are a range image; those in no triangle are not on the surface
 };
 
 // Finds the loops of any number of open surfaces; none where all are closed. Requires finite and distinct
@@ -61,7 +62,7 @@ struct BoundaryLoops {
 // Loop::fitness is eq. (3) on the log score -log(1 - probability), with `length_exponent` as its exponent.
 BoundaryLoops find_boundary_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                                   const BoundaryLoopOptions& options, double length_exponent, const Run& run);
-// The same for who has the local_spacing() of the points.
+// The same, given the local_spacing() of the points.
 BoundaryLoops find_boundary_loops(Points points, const Neighbours& neighbours, std::vector<double> spacing,
                                   const BoundaryScores& scores, const BoundaryLoopOptions& options,
                                   double length_exponent, const Run& run);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scanner adds to a surface: points that are none of it.  [ours: the paper assumes a clean sample]
+// Stray points: points of a scan that are not on the surface.  [ours: the paper assumes a clean sample]
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace rimline {
 
-// Points that are no part of the surface, by what tells; a list each, ascending, no point in two.
+// Points that are not part of the surface, a list for each reason. Lists ascend; no point is in two.
 struct StrayPoints {
-  std::vector<Index> off_surface;  // single ones beside a surface that goes on without them
-  std::vector<Index> on_line;      // in a line that leads away from it
+  std::vector<Index> off_surface;  // single points beside a surface that is complete without them
+  std::vector<Index> on_line;      // in a line of points that leads away from the surface
   std::vector<Index> apart;        // in a small group with a wide gap around it
 
   bool empty() const { return off_surface.empty() && on_line.empty() && apart.empty(); }
@@ -22,8 +22,8 @@ struct StrayPoints {
 // All of them, ascending.
 std::vector<Index> all_of(const StrayPoints& stray);
 
-// Finds them by the neighbourhoods alone: docs/stages/clean.md. Where there are many, some are told only
-// after others are gone, so that what is left, with new neighbours, is to be asked again. Requires finite and
+// Finds stray points from their neighbourhoods (docs/stages/clean.md). Where there are many, some are found
+// only after others were removed: remove these, find the neighbours again, and repeat. Requires finite and
 // distinct points and lists of at least 24 neighbours, or of all where there are fewer. `spacing`:
 // local_spacing().
 StrayPoints find_stray_points(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,

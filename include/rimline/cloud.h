@@ -11,7 +11,7 @@
 
 namespace rimline {
 
-// The scalar types of PLY, which every other format's types fit into.
+// The scalar types of PLY; the types of all other formats fit into them.
 enum class Scalar { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
 
 std::size_t size_in_bytes(Scalar type);
@@ -37,11 +37,11 @@ struct Cloud {
   std::vector<Point> points;
   Scalar coordinate_type = Scalar::Float64;  // Float32 where the file stores floats: written back as such
   std::vector<Column> columns;               // all other properties, in the order of the file
-  // What the file was, for people; each may be empty.
+  // A description of the file; each may be empty.
   std::string format = {};       // "PLY, ascii"
   std::string coordinates = {};  // what became x, y and z: "Easting, Northing, Height (columns 2, 3, 4)"
-  std::string unit = {};         // of the coordinates, where the file tells: "m"
-  std::vector<std::string> warnings = {};  // what had to be guessed and how, and what a reader should know
+  std::string unit = {};         // unit of the coordinates, where the file names one: "m"
+  std::vector<std::string> warnings = {};  // guesses made by the reader, and other remarks
 
   // The column of that name, or nullptr.
   const Column* find(std::string_view name) const;

@@ -17,8 +17,8 @@ namespace rimline {
 // in. Of points at one and the same place the first is used and the others are in no triangle.
 std::vector<Triangle> delaunay(std::span<const UV> uv, const Run& run);
 
-// Turns all triangles round where they face away from the input's normals (`normals`, one per point, on
-// average over the triangles), or from `up` where there are none. Returns whether they were turned.
+// Flips all triangles where they face away from the input's normals (`normals`, one per point, on average
+// over the triangles), or from `up` where there are none. Returns whether they were flipped.
 bool orient_mesh(Points points, std::vector<Triangle>& triangles, std::span<const Point> normals, Point up);
 
 }  // namespace rimline

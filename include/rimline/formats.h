@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one table of file formats: readers, writers, the tool's help, docs/formats.md and its test go by it.
+// The table of file formats. Readers, writers, the tool's help, docs/formats.md and its test use it.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@ namespace rimline {
 
 // How points are taken from a format. The texts are those of docs/formats.md.
 struct ReadingFormat {
-  std::string_view told_by;  // what the content must start with, or the ending
-  std::string_view points;   // what becomes a point
-  std::string_view kept;     // what becomes a column beside it
+  std::string_view told_by;  // how the format is recognized: the first bytes, or the ending
+  std::string_view points;   // what is read as a point
+  std::string_view kept;     // what is read as a column
   bool faces = false;        // read_mesh takes its faces
   bool built = true;         // false where this build lacks the component that reads it
 };
@@ -37,12 +37,12 @@ struct FileFormat {
   std::optional<LoopsFormat> loops = {};  // as written by write_loops
 };
 
-// All formats, in the order in which the content is looked at.
+// All formats, in the order in which the content is tested.
 const std::vector<FileFormat>& file_formats();
 
 enum class FormatUse { ReadPoints, ReadFaces, WriteMesh, WriteLoops };
 
-// Whether this build can use the format so.
+// Whether this build supports the format for that use.
 bool serves(const FileFormat& format, FormatUse use);
 
 // For people: "PLY, OBJ, OFF or STL".

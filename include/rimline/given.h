@@ -19,7 +19,7 @@ struct Reference {
 
 // What may come with the points; all may be empty.
 struct Given {
-  std::vector<Point> normals;  // one per point: the mesh faces the way most of them point
+  std::vector<Point> normals;  // one per point; the mesh faces the side that most of them point to
   std::vector<Loop> loops;     // a boundary made by hand, used instead of finding one
   Reference reference;         // for reconstruct
 };

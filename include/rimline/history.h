@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Algorithm 3.2 held for best, generation by generation.
+// The best chromosome of each generation of Algorithm 3.2.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files in and out. Paths may be "-" for standard input or output where the format allows it.
+// Reads and writes files. A path may be "-" for standard input or output where the format allows it.
 #pragma once
 
 #include <cstddef>
@@ -51,7 +51,7 @@ MeshFile read_mesh(const std::string& path, const Run& run);
 // Throws CannotWrite.
 void write_cloud(const std::string& path, const Cloud& cloud, const Run& run);
 
-// What a mesh wears beside the columns of its points.
+// The appearance of a mesh, beside the columns of its points.
 struct Dress {
   Seams seams;
   std::string picture = {};  // a texture, as the bytes of a PNG; empty for none. Its first row is at v = 1.
@@ -60,7 +60,7 @@ struct Dress {
 
 // How a mesh had to be changed for its format.
 struct WrittenMesh {
-  Point offset;                           // was taken off all coordinates: zero, but for STL
+  Point offset;                           // was subtracted from all coordinates: zero, but for STL
   std::vector<std::string> notices = {};  // sentences for people, which name the offset
 };
 
@@ -74,7 +74,7 @@ WrittenMesh write_mesh(const std::string& path, const Cloud& cloud, const std::v
 // Throws BadOption where write_mesh does not know the ending; the message lists those it knows.
 void check_mesh_path(const std::string& path);
 
-// Writes `text` in the same safe way (reports, JSON).
+// Writes `text` with the same guarantee (reports, JSON).
 void write_text(const std::string& path, const std::string& text);
 
 // Whether a path is written to directly: "-", devices and pipes. Without an ending they get the format that

@@ -36,11 +36,11 @@ struct ChartedMap {
   MapSummary summary;                // all systems as one
 };
 
-// Maps one component, of any topology: each edge has one triangle or two, each vertex one fan. Handles are
-// cut along short closed curves, one-sided surfaces across; a disc with holes is one chart. Charts whose
-// stretch is above the bounds are cut on: tubes open lengthwise, others in two where the cut is short. No
-// triangle is turned over and no outline crosses itself; where a chart can not be mapped so, it is cut as
-// well. With charts = 1 there is one chart, come what may, or none. Throws Cancelled.
+// Maps one component of any topology. Each edge must have one triangle or two, each vertex one fan. Handles
+// are cut along short closed curves, one-sided surfaces across; a disc with holes is one chart. Charts whose
+// stretch exceeds the bounds are cut further: tubes lengthwise, others in two where the cut is short. No
+// triangle is flipped and no outline crosses itself; a chart for which that can not be done is cut as well.
+// With charts = 1 there is one chart or none. Throws Cancelled.
 ChartedMap map_by_charts(Points points, const std::vector<Triangle>& triangles, const ChartOptions& options,
                          const Run& run);
 

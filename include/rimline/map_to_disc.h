@@ -12,8 +12,8 @@
 
 namespace rimline {
 
-// Where the loop's points go on the unit circle: counter-clockwise in their order, the first at angle 0, each
-// arc in proportion to its chord, the distance of its two points.
+// The positions of the loop's points on the unit circle: counter-clockwise in their order, the first at angle
+// 0, each arc in proportion to its chord, the distance of its two points.
 std::vector<UV> circle_by_chord_length(Points points, std::span<const Index> loop);
 
 struct DiscMap {

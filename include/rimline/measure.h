@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures of what came out, taken from the triangles alone.
+// Measures of a mesh, taken from its triangles alone.
 #pragma once
 
 #include <array>
@@ -44,10 +44,9 @@ Distortion measure_distortion(Points points, const std::vector<Triangle>& triang
                               std::span<const Index> component, std::size_t component_count, const Run& run,
                               const Seams& seams = {});
 
-// Pairs of triangles that meet in more than the vertex or edge they share, with exact predicates, as
-// positions in `triangles`, ascending. Triangles of no area take no part. About 0.5 microseconds a triangle.
-// At most `most` of them: on a surface in shreds there are more pairs than anybody asks for. Which ones does
-// not depend on the number of threads.
+// Pairs of triangles that meet in more than a shared vertex or edge, by exact predicates, as positions in
+// `triangles`, ascending. Degenerate triangles are ignored. About 0.5 microseconds a triangle. At most `most`
+// pairs are returned, for there may be very many; which ones does not depend on the number of threads.
 std::vector<std::array<Index, 2>> find_self_intersections(
     Points points, const std::vector<Triangle>& triangles, const Run& run,
     std::size_t most = std::numeric_limits<std::size_t>::max());

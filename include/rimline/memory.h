@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much memory a run will take, known before it takes any.
+// An estimate of the memory that a run will take.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace rimline {
 
 struct StageMemory {
   Stage stage;
-  std::size_t bytes;  // the most that the process holds during it, the input's points included
+  std::size_t bytes;  // peak memory of the process during the stage, the input's points included
 };
 
 // An upper estimate for each stage of reconstruct() in its order: bytes per point and per neighbour times the

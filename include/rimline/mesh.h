@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What comes out: loops and triangles over the ids of the points.
+// Results: loops and triangles over the ids of the points.
 #pragma once
 
 #include <array>
@@ -25,7 +25,8 @@ struct Loop {
   double length = 0;       // of the closed polyline, in the unit of the input
   double fitness = 0;      // eq. (3), on the score that the preset uses
   Index component = 0;     // connected component of the surface it bounds, from 0
-  double probability = 1;  // that it is a boundary, in [0, 1]; NaN where none is: the paper, one by hand
+  double probability = 1;  // that the loop is a boundary, in [0, 1]; NaN where there is none: in the paper's
+                           // presets, and for given loops
 };
 
 }  // namespace rimline

@@ -27,8 +27,8 @@ struct Neighbours {
   }
 };
 
-// The distance from a point to the neighbour at `rank`, 0 for the nearest. Not kept in the lists: it is read
-// from the points again in less time than the memory for a million lists of distances takes.  [ours]
+// The distance from a point to the neighbour at `rank`, 0 for the nearest. It is computed again from the
+// points: that is faster than reading lists of distances from memory.  [ours]
 inline double distance_to(Points points, const Neighbours& neighbours, Index point, int rank) {
   return distance(points[point], points[neighbours.of(point)[static_cast<std::size_t>(rank)]]);
 }

@@ -31,7 +31,7 @@ inline double distance(Point a, Point b) { return std::sqrt(squared_distance(a, 
 inline double norm(Point a) { return std::sqrt(dot(a, a)); }
 inline bool is_finite(Point a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
-// Parameter point of a sample point: where the map puts it in the plane.
+// A parameter point: the image of a sample point in the plane.
 struct UV {
   double u = 0, v = 0;
 

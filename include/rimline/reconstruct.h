@@ -12,29 +12,30 @@
 
 namespace rimline {
 
-// Loops of holes that were filled are no loops of the result, and their points are not on the boundary.
+// Loops of filled holes are not loops of the result, and their points are not on the boundary.
 struct ReconstructResult {
   BoundaryResult boundary;
-  std::vector<Point> added;  // vertices that fills have of their own; their ids follow those of the input
-  std::vector<UV> uv;        // per point and added one, charts side by side; NaN where a point has no place,
-                             // or several: then they are in `seams`
+  std::vector<Point> added;  // new vertices of filled holes; their ids follow those of the input
+  std::vector<UV> uv;  // per point and added vertex, charts side by side; NaN where a point has no position,
+                       // or several: then they are in `seams`
   std::vector<Triangle> triangles;
-  Seams seams;               // corner_uv() has the place of each corner of each triangle
+  Seams seams;               // corner_uv() gives the position of each corner of each triangle
   std::vector<Index> chart;  // per triangle, from 0, or `none` without a map; empty in the paper's presets
   std::vector<Index> patch;  // likewise, or `none`; empty in the paper's presets
   std::vector<std::uint8_t> filled;  // per triangle, 1 where it closes a hole; empty in the paper's presets
-  Distortion distortion;             // per triangle, and per point and added one
+  Distortion distortion;             // per triangle, and per point and added vertex
 };
 
-// Thrown where no triangle can be given, or not all under MeshOptions::strict: what was found nonetheless.
+// Thrown where no triangle can be given, or not all under MeshOptions::strict. Holds what was found.
 class NoMesh : public Error {
  public:
   NoMesh(const Error& reason, BoundaryResult result) : Error(reason), found(std::move(result)) {}
   BoundaryResult found;
 };
 
-// The whole method. Throws as find_boundary does, and NoMesh, with the code of the reason, once points are
-// scored. A component that can not be meshed is in the report, and an error under MeshOptions::strict alone.
+// The whole method. Throws what find_boundary throws; once points are scored also NoMesh, with the code of
+// the reason. A component that can not be meshed is listed in the report, and is an error under
+// MeshOptions::strict only.
 ReconstructResult reconstruct(Points points, const Options& options, const Run& run, const Given& given = {});
 
 }  // namespace rimline

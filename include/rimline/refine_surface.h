@@ -21,24 +21,24 @@ struct RefineOptions {
   bool map_later = false;  // leave the maps to map_by_charts(): uv is NaN, the mesh is as with a map
   std::array<Index, 4> corners{none, none, none, none};  // of square and rectangle, ids of points of the
                                                          // outer loop; none: found where it turns most
-  int rounds = 4;               // most times the patch is triangulated anew from its map [ours]
+  int rounds = 4;               // upper bound of the rounds of triangulating the map anew [ours]
   double residual = 1e-10;      // of each linear system, relative to its right-hand side
-  double suspect_share = 0.05;  // of bad edges, above which a patch is reported as suspect [ours]
-  bool leave_beside = false;    // leave out points that are on no triangle of the surface and lie beside it:
-                                // a range scanner's at depth jumps [ours]
+  double suspect_share = 0.05;  // share of bad edges above which a patch is reported as suspect [ours]
+  bool leave_beside = false;  // leave out points that lie in no triangle of the surface and beside it: those
+                              // of a range scanner at depth jumps [ours]
   HandlePolicy handles = HandlePolicy::Repair;
   HolePolicy holes;          // which holes are closed by triangles
-  bool fill_points = false;  // and whether these get vertices of their own
+  bool fill_points = false;  // whether these get new vertices
 };
 
-// A hole that was closed, or that should have been and could not.
+// A hole that was closed, or that could not be closed.
 struct HoleFill {
   std::vector<Index> rim;     // in the order of its loop
-  std::size_t triangles = 0;  // 0 where every way to close it would have made an edge that exists already
+  std::size_t triangles = 0;  // 0 where every triangulation would repeat an existing edge
   std::size_t added_points = 0;
 };
 
-// What one round did.
+// Result of one round.
 struct RefineRound {
   std::size_t flips = 0;      // edges flipped in space
   std::size_t bad_edges = 0;  // inner edges left that are longer than 3 spacings or folded beyond 120 degrees
@@ -47,8 +47,8 @@ struct RefineRound {
 
 // A patch: one outer loop, any number of holes, all points inside.
 struct Patch {
-  std::vector<Triangle> triangles;  // boundary edges are those of the loops not filled, and no others
-  std::vector<UV> uv;               // one per point, then per added one: where the domain's map puts it
+  std::vector<Triangle> triangles;  // its boundary edges are those of the loops that were not filled
+  std::vector<UV> uv;               // one per point, then one per added vertex
   std::vector<HoleFill> fills;      // their triangles are the last ones, fill after fill
   std::vector<Point> added;         // vertices of the fills; their ids follow those of the points
   std::vector<RefineRound> rounds;
@@ -57,7 +57,7 @@ struct Patch {
   MapSummary map;                // the last system
   std::size_t uv_flips = 0;      // triangles not counter-clockwise in uv: 0 but for maps that double
                                  // precision can not hold
-  std::size_t evened = 0;        // points whose weights were drawn towards equal ones to avoid flips
+  std::size_t evened = 0;        // points whose weights were equalized to avoid flips
 };
 
 // Meshes the disc with holes that the loops bound: the first is the outer one, the others holes, the surface
@@ -73,12 +73,12 @@ struct PatchReport {
   int genus = 0;  // handles; of a one-sided component the number of cross-caps
   std::vector<HandleRepair> repairs;
   std::vector<RefineRound> rounds;
-  Domain domain = Domain::Disc;  // what its map became; None where it has none
+  Domain domain = Domain::Disc;  // domain of the map; None where there is no map
   MapSummary map;
   std::size_t uv_flips = 0, evened = 0;
   double bad_share = 0;  // of the inner edges: longer than 3 spacings or folded beyond 120 degrees
-  bool suspect =
-      false;  // bad_share above RefineOptions::suspect_share: it folds over itself, or a loop is wrong
+  bool suspect = false;  // bad_share exceeds RefineOptions::suspect_share: the patch folds over itself, or a
+                         // loop is wrong
   std::vector<HoleFill> fills;
   std::string failure;     // empty where it was meshed
   std::vector<Index> ids;  // its points, where it was not
@@ -93,17 +93,16 @@ struct Surface {
   std::vector<UV> uv;  // one per point and added one; NaN for those of no patch. Patches lie side by side
   std::vector<Index> patch;  // of each of these, or `none`
   std::vector<PatchReport> patches;
-  std::vector<Loop> loops;  // what the mesh ends at, holes that were filled among them; Loop::component is
-                            // the patch
+  std::vector<Loop> loops;      // the boundary of the mesh, with filled holes; Loop::component is the patch
   std::vector<Index> left_out;  // points in no triangle, ascending
 };
 
-// Tells which points and loops belong together and meshes each component: discs with holes with their map,
-// any other - closed, with handles, one-sided - as the manifold that its triangles make, without one. Loops
-// that touch each other or themselves are parted, so that Surface::loops may differ from `loops` there. A
+// Finds the points and loops of each component and meshes it: discs with holes with their map, any other
+// component (closed, with handles, one-sided) as the manifold that its triangles make, without a map. Loops
+// that touch each other or themselves are separated, so that Surface::loops may differ from `loops` there. A
 // component that can not be meshed has a failure. Throws BadOption for corners that are not on one outer
-// loop. `surface_triangles` are triangles that the loops bound (BoundaryLoops::triangles, gaps and all);
-// where they are empty, those that the points' cells agree on stand in for them.
+// loop. `surface_triangles` are triangles that the loops bound (BoundaryLoops::triangles, gaps included);
+// where they are empty, the triangles that the points' Voronoi cells agree on are used.
 Surface refine_surface(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                        const std::vector<Triangle>& surface_triangles, const RefineOptions& options,
                        const Run& run);

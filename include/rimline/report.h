@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happened and what came out, as numbers.
+// The report of a run: counts, measures, costs and warnings.
 #pragma once
 
 #include <array>
@@ -15,15 +15,15 @@
 
 namespace rimline {
 
-// Why points of the input took no part.
+// Points of the input, and the reasons why some were not used.
 struct PointCounts {
   std::size_t input = 0;
   std::size_t used = 0;        // input less those below
   std::size_t not_finite = 0;  // a coordinate is NaN or infinite
   std::size_t duplicates = 0;  // the same coordinates as a point with a lower id
-  std::size_t stray = 0;       // in a group of fewer than ten points, apart from all others
-  std::size_t unmeshed = 0;    // used, but in no triangle: in a component that was not meshed, a scrap, or
-                               // off the surface
+  std::size_t stray = 0;       // in a group of fewer than ten points, separate from all others
+  std::size_t unmeshed =
+      0;  // used, but in no triangle: in a component that was not meshed or is too small, or off the surface
 };
 
 // Distances between neighbours, in the unit of the input: over all used points, of local_spacing().
@@ -45,7 +45,7 @@ struct Generation {
   double best = 0, mean = 0;
 };
 
-// Where the loop of the paper's presets comes from.
+// The source of the loop in the paper's presets.
 enum class LoopSource {
   Fittest,      // the best chromosome of all generations
   Later,        // a less fit one, since the loops of better ones did not close
@@ -61,17 +61,16 @@ struct SearchSummary {
   std::size_t closed_paths = 0;    // starts that found one
   std::size_t distinct_paths = 0;  // after duplicates were dropped
   std::size_t population = 0;      // of these the ones that are generation 0
-  std::int64_t steps = 0;          // neighbours looked at
+  std::int64_t steps = 0;          // neighbours visited
   bool bound_hit = false;          // max_path_steps ended the search before every candidate was a start
   LoopSource loop_from = LoopSource::Fittest;
-  std::size_t winner_points = 0;    // bits set in the winning chromosome
-  double winner_fitness = 0;        // its e(C) of eq. (3); that of the loop's own points is Loop::fitness
-  std::size_t winner_rank = 0;      // how many better chromosomes, or initial paths, had no loop that closed
+  std::size_t winner_points = 0;  // bits set in the winning chromosome
+  double winner_fitness = 0;      // its e(C) of eq. (3); that of the loop's own points is Loop::fitness
+  std::size_t winner_rank = 0;    // number of fitter chromosomes, or initial paths, whose loop did not close
   std::vector<Generation> history;  // generation 0 is the initial population
-  std::size_t doubtful =
-      0;  // preset `default`: triangles that the search decides on, the bits of its chromosomes
-  std::size_t groups = 0;     // of them that do not influence each other
-  double greedy_fitness = 0;  // of deciding each triangle by its own size
+  std::size_t doubtful = 0;         // preset `default`: candidate triangles, the bits of the chromosomes
+  std::size_t groups = 0;           // groups of candidates that do not influence each other
+  double greedy_fitness = 0;        // fitness of deciding each triangle by its own size
 };
 
 // The linear system of eq. (4).
@@ -81,7 +80,7 @@ struct MapSummary {
   double residual = 0;  // relative, the larger of u and v
 };
 
-// The mesh that came out, measured on its triangles alone.
+// Measures of the mesh, from its triangles alone.
 struct MeshSummary {
   std::size_t triangles = 0;
   std::size_t points_used = 0;  // vertices of at least one triangle
@@ -99,8 +98,8 @@ struct MeshSummary {
   double mean_angle_distortion = 0;  // mean absolute difference of a corner's angle in 3D and in uv, radians
 };
 
-// How far the map is from keeping angles, areas and lengths. The map is scaled so that its area is the
-// surface's before areas and lengths are compared; means are weighted by the triangles' area in space.
+// Distortion of angles, areas and lengths by the map. The map is scaled to the area of the surface before
+// areas and lengths are compared; means are weighted by the triangles' area in space.
 struct DistortionSummary {
   double angle_mean = 0, angle_most = 0;    // difference of a corner's angle in space and in uv, radians;
                                             // mean over a triangle's corners
@@ -117,22 +116,22 @@ struct FilledHole {
   std::size_t triangles = 0, added_points = 0;
 };
 
-// What became of the holes.
+// Counts of holes.
 struct HoleSummary {
-  std::size_t found = 0, kept = 0;  // kept ones are loops of the mesh's boundary
-  std::size_t failed = 0;           // of those kept: they could be closed only by an edge that exists
+  std::size_t found = 0, kept = 0;  // holes that are kept are loops of the mesh's boundary
+  std::size_t failed = 0;           // of those kept: every triangulation would repeat an existing edge
   std::vector<FilledHole> filled;
 };
 
-// From places on one surface to the nearest point of another, in the unit of the input. The places are the
-// vertices, the middles of edges and the centres of triangles.
+// Distances from positions on one surface to the nearest point of another, in the unit of the input. The
+// positions are the vertices, the midpoints of edges and the centroids of triangles.
 struct DistanceSummary {
   double mean = 0, rms = 0, most = 0;
 };
 
-// The mesh beside another one.
+// Comparison of the mesh with a reference.
 struct ReferenceSummary {
-  std::string name;  // as the caller calls it
+  std::string name;  // name given by the caller
   std::size_t points = 0, triangles = 0;
   double area = 0;
   DistanceSummary to_reference, from_reference;
@@ -140,9 +139,9 @@ struct ReferenceSummary {
   std::optional<double> edges_agree;  // F1 of the two sets of edges; where the vertices are the same
 };
 
-// A handle that was noise, and what it was mended by.
+// A handle that was removed as noise, and its repair.
 struct HandleRepair {
-  std::vector<Index> points;  // of the short closed curve along which it was cut, in order
+  std::vector<Index> points;  // of the short closed curve along which the handle was cut, in order
   Point place;                // their mean
   double length = 0;          // of the curve, in the unit of the input
   std::size_t removed = 0;    // triangles
@@ -152,7 +151,7 @@ struct HandleRepair {
 // A component of the surface, as the loops bound it.
 struct ComponentSummary {
   std::size_t points = 0, triangles = 0, loops = 0;
-  Domain map = Domain::None;  // what its map became
+  Domain map = Domain::None;  // domain of its map
   std::size_t charts = 0;     // of its map
   double seams = 0;           // length of the edges that its charts are cut along, in the unit of the input
   bool orientable = true;
@@ -161,23 +160,23 @@ struct ComponentSummary {
   Point low, high;            // the box of its points
   std::size_t bad_edges = 0;  // inner edges longer than 3 spacings or folded beyond 120 degrees
   double bad_share = 0;       // of the inner edges
-  bool suspect = false;       // so many of these that it folds over itself, or a loop is wrong
-  std::string failure;        // why it could not be meshed; empty where it was
-  MeshSummary mesh;           // where it was
+  bool suspect = false;  // bad_share is so large that the component folds over itself, or a loop is wrong
+  std::string failure;   // the reason why it could not be meshed; empty where it was
+  MeshSummary mesh;      // where it was
   DistortionSummary distortion;
-  std::size_t self_intersections = 0;           // pairs of which either triangle is its
+  std::size_t self_intersections = 0;           // pairs with a triangle of this component
   std::optional<DistanceSummary> to_reference;  // where there is one
 };
 
-// Points that hang together and are in no triangle.
+// A connected group of points in no triangle.
 struct LeftOut {
-  Index component = none;  // that could not be meshed, or none
+  Index component = none;  // the component that could not be meshed, or none
   std::vector<Index> ids;  // ascending
   Point low, high;         // their box
   std::string cause, remedy;
 };
 
-// What a stage took.
+// Cost of a stage.
 struct StageCost {
   Stage stage = Stage::Read;
   double seconds = 0;
@@ -207,7 +206,7 @@ struct Report {
   std::vector<ComponentSummary> components;  // preset `default`, of the mesh
   std::vector<LeftOut> left_out;             // preset `default`, the largest first
   double longest_edge = 0;                   // of the mesh, over the median spacing
-  Point offset;                       // taken off all coordinates in the mesh's file: zero, but for STL
+  Point offset;                       // subtracted from all coordinates in the mesh's file: zero, but for STL
   std::vector<std::string> warnings;  // one sentence each, for people
 
   int threads = 0;

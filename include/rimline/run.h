@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a stage is run (seed, threads, progress, cancel) and how it says no.
+// Settings of a run (seed, threads, progress, cancellation), and errors.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@
 
 namespace rimline {
 
-// The stages in the order in which data passes them.
+// The stages in the order of the data flow.
 enum class Stage {
   Read,
   Arrange,
@@ -33,20 +33,20 @@ enum class Stage {
 // The stage's name as users read it: "neighbours", "loops", ...
 const char* name(Stage stage);
 
-// How far a stage has come: `done` of `total` steps. `total` may be 0 where it is not known.
+// Progress of a stage: `done` of `total` steps. `total` may be 0 where it is not known.
 struct Progress {
   Stage stage = Stage::Read;
   std::size_t done = 0;
   std::size_t total = 0;
 };
 
-// Everything about a run that is not the method: it never changes the result, but for the seed.
+// Settings that are not part of the method. Only the seed changes the result.
 struct Run {
   std::uint64_t seed = 1;  // every random stream starts from it
   int threads = 0;         // most threads used at once; 0 takes all cores. The result does not depend on it.
 
-  // Most bytes that the process may hold, 0 for no limit: where more will be needed by the estimate of
-  // memory.h, or by the size of a file, OutOfMemory is thrown before anything of that size is allocated.
+  // Memory limit of the process in bytes, 0 for none. Where the estimate of memory.h, or the size of a file,
+  // exceeds it, OutOfMemory is thrown before anything of that size is allocated.
   std::size_t memory_limit = 0;
 
   // Called from the thread that called the stage, at least ten times a second on long work.
@@ -56,13 +56,13 @@ struct Run {
   // after, well within a second.
   const std::atomic<bool>* stop = nullptr;
 
-  // For the stages: report progress, and throw where the caller wants to stop.
+  // For the stages: reports progress, and throws Cancelled where the caller wants to stop.
   void progress(Stage stage, std::size_t done, std::size_t total) const {
     check_cancel();
     if (on_progress) on_progress({stage, done, total});
   }
   void check_cancel() const;
-  // The same for a part of a stage, which does not know how much of it is done.
+  // The same run for a part of a stage, which reports no progress.
   Run without_progress() const {
     Run silent = *this;
     silent.on_progress = {};
@@ -71,7 +71,7 @@ struct Run {
   bool cancelled() const { return stop != nullptr && stop->load(std::memory_order_relaxed); }
 };
 
-// Why a stage can not give its result. Groups follow the exit status of the tool.
+// Reasons why a stage fails, grouped by the exit status of the tool.
 enum class ErrorCode {
   BadOption,            // 1: an option is out of its range, or two do not go together
   CannotRead,           // 2: the input is missing, truncated or not what its format says

@@ -45,7 +45,7 @@ struct SampleOptions {
                           // nearest-neighbour distance
 };
 
-// The points in random order and their exact boundary. Noise moves points and changes nothing else.
+// The points in random order, and their exact boundary. Noise changes the points alone.
 struct Sample {
   std::vector<Point> points;
   std::vector<std::uint8_t> boundary;  // 1 on a true loop

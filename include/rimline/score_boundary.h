@@ -14,8 +14,8 @@ namespace rimline {
 
 // The chi-square test of every point.
 struct BoundaryScores {
-  // -log p, natural logarithm, p the p-value of Pearson's statistic: at least 0, finite for any k and r. This
-  // is the log of eq. (2), and what every later stage works with.
+  // -log p (natural logarithm), p the p-value of Pearson's statistic: at least 0, finite for any k and r. It
+  // is the logarithm of eq. (2), and the score of every later stage.
   std::vector<double> log_score;
   std::vector<std::uint8_t> candidate;  // 1 where p <= significance
   std::vector<float> delta;             // lambda_2 / (lambda_1 + lambda_2 + lambda_3), Assumption 2.4

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where corners of triangles lie in a map of several charts: uv belongs to corners, not to points.
+// Positions of triangle corners in a map of several charts: uv belongs to corners, not to points.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,19 @@
 
 namespace rimline {
 
-// The places of points that have more than one: a place in each chart that they are in, and one on each side
-// of a cut within a chart. All is empty where no point has more than one place.
+// Positions of points that have more than one: one in each chart that the point is in, and one on each side
+// of a cut within a chart. Empty where no point has more than one.
 struct Seams {
-  std::vector<UV> uv;             // of these places, in units of the map
-  std::vector<Index> point;       // whose each of them is
-  std::vector<Triangle> corners;  // per triangle, the place at each corner: the id of the point, or the
-                                  // number of points plus the position in `uv`
+  std::vector<UV> uv;             // of each position, in units of the map
+  std::vector<Index> point;       // the point of each position
+  std::vector<Triangle> corners;  // per triangle and corner: the id of the point, or the number of points
+                                  // plus the index in `uv`
 
   bool empty() const { return point.empty(); }
 };
 
-// Where a corner (0 to 2) of a triangle lies. `uv` has one entry per point, which is NaN for a point of
-// several places, and for one without any.
+// The position of a corner (0 to 2) of a triangle. `uv` has one entry per point, NaN for a point of several
+// positions or of none.
 inline UV corner_uv(std::span<const UV> uv, const Seams& seams, std::span<const Triangle> triangles,
                     std::size_t triangle, int corner) {
   const Index at = (seams.empty() ? triangles : std::span<const Triangle>(seams.corners))[triangle][corner];

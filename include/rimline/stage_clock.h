@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each stage takes: seconds and memory. The pipeline times its own; who reads and writes files around it
-// times these.
+// Measures the seconds and the memory of each stage. The pipeline measures its own stages; who reads and
+// writes files around it measures these.
 #pragma once
 
 #include <chrono>
@@ -10,11 +10,12 @@
 
 namespace rimline {
 
-// Call enter() at the start of each stage and leave() after the last. A stage entered twice adds up.
+// Call enter() at the start of each stage and leave() after the last one. The costs of a stage that is
+// entered twice are added.
 class StageClock {
  public:
   void enter(Stage stage);
-  // Enters a stage unless it is the one that runs.
+  // Enters a stage unless it is already running.
   void follow(Stage stage) {
     if (!running_ || stage_ != stage) enter(stage);
   }

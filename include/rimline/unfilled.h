@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vectors that are not filled with zeros first. Where zeros are asked for, src/base/prefault.h shares their
-// pages.
+// Vectors without zero-initialization. Where zeros are needed, src/base/prefault.h writes them in parallel.
 #pragma once
 
 #include <memory>
@@ -9,9 +8,9 @@
 
 namespace rimline {
 
-// Leaves numbers as they are where std::allocator writes zeros. A large array is then handed out by the
-// system page by page to the threads that write its items, and written once.  [ours: zeros for a million
-// lists of 40 neighbours are half a gigabyte written by one thread while the others wait]
+// Leaves numbers uninitialized where std::allocator writes zeros. The pages of a large array are then
+// assigned to the threads that write its items, and are written once.  [ours: zeros for a million lists of 40
+// neighbours are half a gigabyte written by one thread]
 template <class T>
 struct UnfilledAllocator : std::allocator<T> {
   template <class U>
@@ -20,7 +19,7 @@ struct UnfilledAllocator : std::allocator<T> {
   }
 };
 
-// resize() gives items no value: whoever asks for them writes each.
+// resize() leaves new items uninitialized: the caller must write each.
 template <class T>
 using UnfilledVector = std::vector<T, UnfilledAllocator<T>>;
 

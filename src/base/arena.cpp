@@ -11,13 +11,13 @@
 namespace rimline {
 namespace {
 
-// The arenas that nobody uses now, by their number of threads.
+// The idle arenas, by their number of threads.
 struct Idle {
   std::mutex mutex;
   std::map<int, std::vector<std::unique_ptr<tbb::task_arena>>> of_threads;
 };
 
-// Never destroyed: oneTBB may be gone before it.
+// Never destroyed, because oneTBB may be shut down first.
 Idle& idle() {
   static Idle& all = *new Idle;
   return all;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the parallel loops of a run take place, so that they keep to its number of threads.
+// Task arenas that limit parallel loops to the threads of a run.
 #pragma once
 
 #include <oneapi/tbb/task_arena.h>
@@ -8,10 +8,9 @@
 
 namespace rimline {
 
-// A task arena of thread_count(run) threads, lent while this object lives. A run has one, which all its loops
-// take in turn, and one more for each depth of loops within loops; runs that come later take the same. An
-// arena for each loop would cost memory that is not given back: oneTBB 2021.8 loses about 8 kB with every
-// arena that its workers joined.
+// A task arena of thread_count(run) threads, borrowed for the lifetime of this object. All loops of a run
+// share one arena, and one more for each level of nesting; later runs use the same arenas. An arena for each
+// loop would leak memory: oneTBB 2021.8 loses about 8 kB with every arena that its workers joined.
 class Arena {
  public:
   explicit Arena(const Run& run);

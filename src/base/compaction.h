@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stream compaction: some of many items, in their order.
+// Stream compaction: keeps some of many items, in their order.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace rimline {
 
-// The items that are kept, in their order. The marks, zero for what is left out, must outlive it and stay.
+// The kept items, in their order. The marks (zero: not kept) must outlive this object and must not change.
 class KeptItems {
  public:
   KeptItems(const std::vector<std::uint8_t>& kept, Stage stage, const Run& run)
@@ -45,7 +45,7 @@ class KeptItems {
     return selected;
   }
 
-  // The place of each item among those that are kept, or `none`.
+  // The index of each item among the kept ones, or `none`.
   UnfilledVector<Index> places() const {
     UnfilledVector<Index> place(kept_.size());
     each_slice([&](std::size_t s, std::size_t first, std::size_t last) {
@@ -71,7 +71,7 @@ class KeptItems {
   const std::vector<std::uint8_t>& kept_;
   Stage stage_;
   Run run_;
-  std::vector<std::size_t> start_;  // of each slice among those that are kept
+  std::vector<std::size_t> start_;  // index of each slice's first item among the kept ones
 };
 
 }  // namespace rimline

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What sets the domains apart. This is the one switch over them: it has no `default`, so that the compiler
-// names it where a domain is added.
+// Properties of the domains. This is the one switch over them: it has no `default`, so that the compiler
+// reports a domain that is missing.
 #pragma once
 
 #include "rimline/options.h"
 
 namespace rimline {
 
-// Where the outer loop is held while the inside is mapped.
+// The outline on which the outer loop is fixed while the interior is mapped.
 enum class Outline {
-  None,    // nowhere: there is no map
+  None,    // none: there is no map
   Circle,  // the unit circle
   Box,     // four corners and the sides between them, the first on the axis u
 };
@@ -17,8 +17,8 @@ enum class Outline {
 struct DomainTraits {
   const char* name = "?";
   Outline outline = Outline::None;
-  bool square = false;    // of a box: as high as wide; else its height follows from the lengths of the sides
-  bool released = false;  // the outline is let go of afterwards: the map has the scale of the surface
+  bool square = false;    // for a box: as high as wide; else its height follows from the lengths of the sides
+  bool released = false;  // the outline is released after the first map: the map has the scale of the surface
 
   constexpr bool is_mapped() const { return outline != Outline::None; }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eight points side by side, a lane each. Loops over lanes become vector instructions of any width, with the
-// same bytes as one point at a time.
+// Eight points at a time, one in each lane. Loops over lanes become vector instructions of any width, with
+// the same bytes as one point at a time.
 #pragma once
 
 #include "rimline/points.h"
@@ -17,7 +17,7 @@ struct alignas(64) Lanes {
   double operator[](int l) const { return number[l]; }
 };
 
-// One of two points that are both known, coordinate by coordinate, so that a loop over lanes has no branch.
+// Selects one of two points, coordinate by coordinate, so that a loop over lanes has no branch.
 inline Point choose(bool first, Point a, Point b) {
   return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
 }

@@ -16,8 +16,8 @@ constexpr double arrange_bytes = 80;
 constexpr double neighbours_bytes = 130;
 constexpr double boundary_bytes = 100;
 constexpr double survey_bytes = 440;       // frames, stars, triangles
-constexpr double loops_bytes = 440;        // these, and the search
-constexpr double paper_loops_bytes = 150;  // closed paths and chromosomes are small beside them
+constexpr double loops_bytes = 440;        // the same, and the search
+constexpr double paper_loops_bytes = 150;  // closed paths and chromosomes need little
 constexpr double refine_bytes = 780;       // mesh, system, multigrid
 constexpr double measure_bytes = 650;
 constexpr double solve_bytes = 500, solve_neighbour_bytes = 95;  // of eq. (4), and of its solver's vectors
@@ -26,12 +26,12 @@ constexpr double factor_bytes = 230;  // of the system of a free map and its fac
 constexpr double fixed_bytes = 16e6;  // the program itself is 10e6
 constexpr double neighbour_bytes = sizeof(Index);
 
-// What a stage takes, besides fixed_bytes.
+// Memory of a stage, besides fixed_bytes.
 struct StageBytes {
   Stage stage;
   UsedBy used_by;  // the presets that run it
   double per_point;
-  bool has_lists = true;  // the lists of neighbours are there as well
+  bool has_lists = true;  // the lists of neighbours are held, too
 };
 
 std::string gigabytes(double bytes) { return fmt::format("{:.3g} GB", bytes / 1e9); }

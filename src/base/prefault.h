@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory that all threads ask the system for together. A large array is otherwise handed out page by page to
-// the one thread that fills it with zeros, which takes longer than to compute what goes there.
+// Large arrays whose pages are touched by all threads in parallel. Otherwise one thread would touch and zero
+// all pages, which can take longer than computing the values.
 #pragma once
 
 #include <oneapi/tbb/blocked_range.h>
@@ -13,7 +13,7 @@
 
 namespace rimline {
 
-// The same as items.resize(count) for an empty vector, with room for `more` items after these.
+// The same as items.resize(count) for an empty vector, with capacity for `more` items after these.
 template <class T>
 void resize_together(std::vector<T>& items, std::size_t count, const Run& run, std::size_t more = 0) {
   constexpr std::size_t page = 4096, block_size = std::size_t{1} << 21;

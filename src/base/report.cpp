@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no infinity: a map that leaves a triangle no area has no stretch that a number could say.
+// JSON has no infinity: the stretch of a triangle without area in the map is null.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 template <class Struct>
@@ -31,7 +31,7 @@ Json options_json(const Report& report) {
     const bool of_search = field.used_by == UsedBy::Paper && holds(options.loops, &field.value) &&
                            std::string_view(field.name) != "score_form";
     if (!counts(field.used_by, options) || (of_map && !report.has_map)) return;
-    if (of_search && report.search.starts == 0) return;  // the loops were given
+    if (of_search && report.search.starts == 0) return;  // the loops were given, so that there was no search
     if constexpr (std::is_arithmetic_v<T>) {
       const bool has_word = field.zero[0] != 0 && field.value == T{};
       json[field.name] = has_word ? Json(field.zero) : Json(field.value);
@@ -192,7 +192,7 @@ Json left_out_json(const std::vector<LeftOut>& parts) {
   return json;
 }
 
-// Of each component; one that the paper's presets make is a disc.
+// Of each component. A component that the paper's presets make is a disc.
 Json kinds_json(const Report& report) {
   if (report.components.empty()) return {name(report.options.map.domain)};
   Json json = Json::array();
@@ -294,7 +294,7 @@ std::string to_json(const Report& report) {
   if (!report.left_out.empty()) json["left_out"] = left_out_json(report.left_out);
   json["warnings"] = report.warnings;
   json["run"] = run_json(report);
-  // Names of files need not be UTF-8.
+  // File names need not be valid UTF-8.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Selection without branches on the values: half of them would be mispredicted.
+// Selection without branches on the values: half of the branches would be mispredicted.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace rimline {
 
-// Moves the items whose value is below the pivot (or not above it) to the front. What a comparison says is
-// added, not branched on.
+// Moves the items whose value is below the pivot (or not above it) to the front. The result of a comparison
+// is added, not branched on.
 template <class Item, class Value, class Compare>
 Item* partition_by(Item* first, Item* last, const Value& value, double pivot, const Compare& is_low) {
   Item* high = first;
@@ -36,7 +36,7 @@ void select(Item* first, Item* nth, Item* last, const Value& value) {
         middle_of(middle_of(sample(0), sample(1), sample(2)), middle_of(sample(3), sample(4), sample(5)),
                   middle_of(sample(6), sample(7), sample(8)));
     Item* high = partition_by(first, last, value, pivot, std::less<>());
-    if (high == first) {  // the pivot is the least: those that equal it need no order
+    if (high == first) {  // the pivot is the minimum: items equal to it need no order
       high = partition_by(first, last, value, pivot, std::less_equal<>());
       if (nth < high) return;
     }

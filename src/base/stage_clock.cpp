@@ -11,7 +11,7 @@
 namespace rimline {
 namespace {
 
-// Linux forgets the highest resident memory when it is told to; elsewhere a stage reports the highest so far.
+// Linux can reset the peak resident memory; on other systems a stage reports the peak so far.
 void forget_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 std::size_t peak_bytes() {

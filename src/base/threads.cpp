@@ -24,7 +24,8 @@ void* wait_at(void* latch) {
   return nullptr;
 }
 
-// How many of `wanted` threads the system makes, all there at the same time, with stacks as TBB's have.
+// The number of `wanted` threads that the system creates, all at the same time, with stacks as large as
+// TBB's.
 int makeable_threads(int wanted) {
   constexpr std::size_t stack = std::size_t{4} << 20;
   pthread_attr_t attributes;
@@ -42,7 +43,8 @@ int makeable_threads(int wanted) {
   return static_cast<int>(threads.size());
 }
 
-// Has TBB start its workers, which then stay: each takes a task that ends when all are there, or late.
+// Makes TBB start its workers, which then stay: each takes a task that ends when all have arrived, or after a
+// while.
 void start_workers(int threads) {
   constexpr auto patience = std::chrono::milliseconds(100);
   std::atomic<int> here{0};
@@ -59,10 +61,10 @@ void start_workers(int threads) {
   });
 }
 
-// The threads of this process, found out once.
+// The threads available to this process, determined once.
 struct Usable {
   int count = tbb::info::default_concurrency();
-  std::unique_ptr<tbb::global_control> most;  // holds TBB to `count` where the system makes no more
+  std::unique_ptr<tbb::global_control> most;  // limits TBB to `count` where the system creates no more
 
   Usable() {
     const int machine = std::max(1, count);
@@ -80,7 +82,7 @@ struct Usable {
 int thread_count(const Run& run) {
   if (run.threads == 1) return 1;
   static const Usable usable;
-  // More than the machine has would not be made either, and TBB would say so on standard error.
+  // More threads than the machine has would not be created, and TBB would warn on standard error.
   return run.threads <= 0 ? usable.count : std::min(run.threads, usable.count);
 }
 

@@ -6,9 +6,9 @@
 
 namespace rimline {
 
-// As many as the run asks for, and at most those of the machine; fewer where the system refuses to make them
-// (a limit on processes or on address space). At least 1. The first call that may use more than one starts
-// the workers: made later, a thread that is refused would end the process.
+// The number that the run asks for, limited by the machine, and by the system where it refuses to create
+// threads (a limit on processes or on address space). At least 1. The first call that may use several threads
+// starts the workers: a thread that is refused later would end the process.
 int thread_count(const Run& run);
 
 }  // namespace rimline

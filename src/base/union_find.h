@@ -16,7 +16,7 @@ class UnionFind {
     std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
-  // The representative of the set of `id`. Halves the path on the way, so that it stays short.
+  // The representative of the set of `id`. Halves the path.
   Index find(Index id) {
     while (parent_[id] != id) id = parent_[id] = parent_[parent_[id]];
     return id;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small geometry that every room needs: rings, triangles in space.
+// Basic geometry: cyclic indices, triangles in space.
 #pragma once
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 
 namespace rimline {
 
-// The place after `i` in a ring of `count`, whose last is followed by its first.
+// The index after `i` in a cycle of `count`.
 template <class Place, class Count>
 constexpr Place next_in(Place i, Count count) {
   return i + 1 < static_cast<Place>(count) ? i + 1 : 0;
 }
 
-// The normal of a triangle, as long as twice its area; the triangle is counter-clockwise seen from its tip.
+// The normal of a triangle, of length twice its area; the triangle is counter-clockwise seen from the tip.
 constexpr Point triangle_normal(Point a, Point b, Point c) { return cross(b - a, c - a); }
 constexpr Point triangle_normal(Points points, const Triangle& t) {
   return triangle_normal(points[t[0]], points[t[1]], points[t[2]]);
@@ -31,7 +31,7 @@ constexpr double twice_area(const std::vector<UV>& uv, const Triangle& t) {
   return twice_area(uv[t[0]], uv[t[1]], uv[t[2]]);
 }
 
-// The direction of a vector; of one of no length, none.
+// The unit vector of a direction; zero for a vector of length zero.
 inline Point unit(Point p) { return (1 / std::max(norm(p), 1e-300)) * p; }
 
 inline double triangle_area(Points points, const Triangle& t) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The law that eq. (1) tends to.
+// The limiting distribution of eq. (1).
 #pragma once
 
 namespace rimline {

@@ -25,8 +25,8 @@ std::vector<double> log_score_table(int k, int sectors) {
   return table;
 }
 
-// At most k * k, the sum of k points in one sector. Where products underflow, a point may be counted in three
-// sectors, and in a fourth with -1.
+// At most k * k, the sum for k points in one sector. Where products underflow, a point may be counted in
+// three sectors and subtracted from a fourth.
 std::size_t sum_of_squares(const std::vector<Lanes>& counts, int l, int k) {
   double sum = 0;
   for (const Lanes& count : counts) sum += count[l] * count[l];

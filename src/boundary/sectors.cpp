@@ -10,8 +10,8 @@
 namespace rimline {
 namespace {
 
-// The direction at `part` of `whole` of a turn. By symmetry all comes from the first eighth of the turn, so
-// that quarters lie on the axes and eighths on the diagonals exactly.
+// The direction at `part` of `whole` of a turn. All directions are derived from the first eighth of the turn
+// by symmetry, so that quarters lie on the axes and eighths on the diagonals exactly.
 UV direction(int part, int whole) {
   const int quarter = 4 * part / whole, rest = 4 * part % whole;  // rest / whole of a quarter is left
   const bool far = 2 * rest > whole;
@@ -23,7 +23,7 @@ UV direction(int part, int whole) {
   return d;
 }
 
-// The points on the origin, and those at half a turn or beyond it.
+// The points at the origin, and those at half a turn or beyond it.
 RIMLINE_WIDE void count_halves(const Lanes* u, const Lanes* v, std::size_t count, Lanes& at_origin,
                                Lanes& below) {
   for (int l = 0; l < lanes; ++l) {
@@ -41,8 +41,8 @@ RIMLINE_WIDE void count_halves(const Lanes* u, const Lanes* v, std::size_t count
   }
 }
 
-// The points whose angle is that of a direction above the first axis or more, and those for which it is that
-// of the opposite direction or more. Points on the origin are counted, as none of their angle should be.
+// The points whose angle is at least that of a direction above the first axis, and those whose angle is at
+// least that of the opposite direction. Points at the origin are counted, although they must have no angle.
 RIMLINE_WIDE void count_beyond(const Lanes* u, const Lanes* v, std::size_t count, UV direction, Lanes& beyond,
                                Lanes& beyond_opposite) {
   for (int l = 0; l < lanes; ++l) {
@@ -72,8 +72,8 @@ Sectors::Sectors(int count) {
 }
 
 void Sectors::count(std::span<const Lanes> u, std::span<const Lanes> v, std::span<Lanes> counts) const {
-  // First the points in a sector or in one after it; counts that no sector wants go to a place of their own,
-  // which is not read.
+  // First the points in a sector or a later one; counts that belong to no sector are written to a slot that
+  // is not read.
   Lanes at_origin, half, unasked;
   count_halves(u.data(), v.data(), u.size(), at_origin, half);
   for (double& all : counts[0].number) all = static_cast<double>(u.size());

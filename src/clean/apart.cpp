@@ -10,7 +10,7 @@
 namespace rimline {
 namespace {
 
-// Whether the gap around a point is wider than the points next to it explain.
+// Whether the gap around a point is wider than its neighbours' spacing explains.
 bool is_alone(Points points, const Neighbours& neighbours, const std::vector<double>& scale, Index i,
               const std::vector<char>& left_out) {
   double widest = scale[i], nearest = 0;

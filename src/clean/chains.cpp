@@ -14,14 +14,14 @@ namespace {
 
 using Ids = std::vector<Index>;
 
-// A set of points without those that are gone.
+// A set of points from which some were removed.
 struct Left {
   Points points;
   const Neighbours& neighbours;
   const std::vector<double>& scale;
   std::vector<char> gone;
 
-  // The nearest that is left, or none.
+  // The nearest remaining point, or none.
   Index nearest(Index i) const {
     for (const Index j : neighbours.of(i)) {
       if (!gone[j]) return j;
@@ -29,7 +29,7 @@ struct Left {
     return none;
   }
 
-  // Calls visit(direction) for each that is left within reach.
+  // Calls visit(direction) for each remaining point within reach.
   template <class Visit>
   void around(Index i, double reach, const Visit& visit) const {
     for (const Index j : neighbours.of(i)) {
@@ -59,7 +59,7 @@ struct Left {
   }
 };
 
-// Takes the chain off that ends in a point, if it is long enough.
+// Removes the chain that ends in a point, if it is long enough.
 Ids peel(Index i, Left& left) {
   Ids chain;
   while (i != none && !left.gone[i] && left.is_end(i)) {
@@ -72,7 +72,7 @@ Ids peel(Index i, Left& left) {
   return {};
 }
 
-// The points that a chain passes before it meets the surface: they stand out of it.
+// The points that a chain passes before it reaches the surface, from which they stick out.
 Ids root_of(const Ids& chain, Left& left) {
   const double step =
       distance(left.points[chain.front()], left.points[chain.back()]) / static_cast<double>(chain.size() - 1);
@@ -88,7 +88,7 @@ Ids root_of(const Ids& chain, Left& left) {
     if (!left.sees_cone(next, model::chain_root_reach * left.scale[next], model::chain_root_cone)) break;
     root.push_back(at = next);
   }
-  for (const Index i : taken) left.gone[i] = 0;  // other chains see them still
+  for (const Index i : taken) left.gone[i] = 0;  // other chains still see them
   return root;
 }
 
@@ -99,7 +99,7 @@ bool is_straight(const Ids& chain, Points points) {
   });
 }
 
-// Whether half of a chain has others to its sides: near ones, or those of other chains.
+// Whether half of a chain's points have others beside them: near ones, or those of other chains.
 bool has_sides(const Ids& chain, const Left& left, const std::vector<Index>& chain_of,
                const std::vector<char>& left_out) {
   const Point along = unit(left.points[chain.back()] - left.points[chain.front()]);

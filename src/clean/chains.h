@@ -10,10 +10,10 @@
 
 namespace rimline {
 
-// The points, 1 where true, of chains that end in the air: from its end on, each point sees all that is near
-// it in a narrow cone. Chains of three points or more count, with up to two that lie on the way to the
-// surface. None do that have others to their sides, as the rows of a scan have. `scale`: usual_spacing();
-// `left_out`, 1 where true: points that are no neighbours any more.
+// Marks (1) the points of chains that end in free space: from its end on, each point sees all points nearby
+// in a narrow cone. Chains have three points or more, and up to two points on the way to the surface. Chains
+// with other points beside them, as the rows of a scan, are not marked. `scale`: usual_spacing(); `left_out`:
+// points (1) that do not count as neighbours.
 std::vector<char> lies_on_chain(Points points, const Neighbours& neighbours, const std::vector<double>& scale,
                                 const std::vector<char>& left_out, const Run& run);
 

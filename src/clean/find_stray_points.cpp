@@ -27,8 +27,8 @@ std::vector<Index> ids_of(const std::vector<char>& is_in) {
   return ids;
 }
 
-// Whether a few of the points around one are nearly as far from their neighbours as it is: density varies
-// there.
+// Whether some of the points around a point are nearly as far from their neighbours as it is: the density
+// varies there.
 bool is_in_graded(const Neighbours& neighbours, const std::vector<double>& spacing,
                   const std::vector<double>& scale, Index i, double nearest) {
   const double wide = std::max(model::graded_share * nearest, model::graded_least * scale[i]);
@@ -36,8 +36,8 @@ bool is_in_graded(const Neighbours& neighbours, const std::vector<double>& spaci
   return std::ranges::count_if(around, [&](Index j) { return spacing[j] >= wide; }) >= model::graded_count;
 }
 
-// Those that are no part of the surface at their own scale either. `made`: the tree of the points, made
-// where it is asked for first.
+// The points that are not part of the surface at their own scale either. `made`: the tree of the points,
+// built at its first use.
 std::vector<char> confirmed(std::vector<char> suspects, Points points, const Neighbours& neighbours,
                             const std::vector<double>& spacing, const std::vector<double>& scale,
                             std::optional<KdTree>& made, const Run& run) {
@@ -61,7 +61,7 @@ std::vector<char> either(std::vector<char> a, const std::vector<char>& b) {
   return a;
 }
 
-// Whether the spacing varies so much over the set that a true point may be as lonely as a stray one.
+// Whether the spacing varies so much over the set that a true point may be as isolated as a stray one.
 bool is_graded(std::vector<double> scale) {
   constexpr double low = 0.05, high = 0.95;  // [layout] shares
   return quantile(scale, high) > model::stray_most_graded * quantile(scale, low);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_measured = 4096;  // [speed]
 
-// The deviation that nine tenths of the points do not exceed: noise, and relief that quadrics can not follow.
+// The 90 % quantile of the deviations: noise, and relief that quadrics can not follow.
 double usual_deviation(Points points, const Neighbours& neighbours, const std::vector<double>& scale,
                        const Run& run) {
   const std::vector<Index> chosen = choose_sample(points, most_measured, run.without_progress());
@@ -26,7 +26,7 @@ double usual_deviation(Points points, const Neighbours& neighbours, const std::v
   return quantile(deviations, model::stray_usual_share);
 }
 
-// Whether the surface is whole without the point: it goes on around its foot, with no gap there.
+// Whether the surface is complete without the point: it continues around its foot, without a gap.
 bool is_whole(const SurfaceFit& fit) {
   return fit.nearest < model::stray_redundant && fit.gap < model::stray_gap;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outliers: single points beside a surface that goes on without them.
+// Outliers: single points beside a surface that is complete without them.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace rimline {
 
-// The points, 1 where true, that lie off the surface of their neighbours by more than their noise, and that
-// of nine tenths of all points, explains, and beside which there are hardly others off it: those would be
-// another sheet. `scale`: usual_spacing().
+// Marks (1) the points that lie off the surface of their neighbours by more than their noise, and the noise
+// of nine tenths of all points, explains, with hardly any others off it nearby: those would be another sheet.
+// `scale`: usual_spacing().
 std::vector<char> lies_off_surface(Points points, const Neighbours& neighbours,
                                    const std::vector<double>& scale, const Run& run);
 

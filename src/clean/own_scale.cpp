@@ -10,7 +10,7 @@
 namespace rimline {
 namespace {
 
-// Points within a radius of one, no two nearer to each other than a distance.
+// Points within a radius of a point, thinned to a least distance.
 struct Thinned {
   Point centre;
   double radius, apart;
@@ -27,7 +27,7 @@ struct Thinned {
   }
 };
 
-// One point of each box that is small, all of the others.
+// One point of each small box, all points of the others.
 void gather(const KdTree& tree, std::size_t at, Points points, Thinned& thinned) {
   const KdTree::Node& node = tree.node(at);
   const Bounds here{thinned.centre, thinned.centre};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface that the neighbours of a point lie on, the point itself not asked.
+// The local surface of the neighbours of a point, fitted without the point.
 #pragma once
 
 #include <span>
@@ -11,19 +11,20 @@
 namespace rimline {
 
 struct SurfaceFit {
-  double height = 0;       // of the point over the surface, at least 0, over the scale
-  double deviation = 0;    // of the neighbours that lie on it: robust standard deviation, over the scale
-  double nearest = 1e300;  // along the surface, of those that lie on it, over the scale
-  double gap = 0;          // widest angle between directions to those of them that are near, in radians
-  int others = 0;          // near neighbours that lie off it, too
+  double height = 0;     // of the point over the surface, at least 0, over the scale
+  double deviation = 0;  // robust standard deviation of the neighbours that lie on it, over the scale
+  double nearest =
+      1e300;       // distance along the surface to the nearest of those that lie on it, over the scale
+  double gap = 0;  // widest angle between directions to those of them that are near, in radians
+  int others = 0;  // number of near neighbours that lie off it, too
 };
 
-// The scale of each point: the median spacing of the points around it. An outlier gets that of the surface it
-// is beside, whatever its own distance is.
+// The scale of each point: the median spacing of the points around it. An outlier gets the scale of the
+// surface beside it, whatever its own distance is.
 std::vector<double> usual_spacing(const Neighbours& neighbours, const std::vector<double>& spacing,
                                   const Run& run);
 
-// How far the point is off the plane through its nearest neighbours, over the scale: quick, and not robust.
+// Distance of the point from the plane through its nearest neighbours, over the scale: fast, but not robust.
 double height_over_plane(Points points, const Neighbours& neighbours, Index self, double scale);
 
 // Fits a quadric over a plane to the neighbours, both by iteratively reweighted least squares with Tukey's

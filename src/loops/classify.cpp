@@ -11,8 +11,8 @@
 namespace rimline {
 namespace {
 
-// How much a loop looks like the outer one of its component: its extent, times e where the surface lies
-// inside it and flat, over e where it lies around it.
+// Score of a loop as the outer one of its component: its extent, times e where the surface lies inside it and
+// flat, over e where it lies around it.
 double outer_rank(const Loop& loop, const RimEvidence& e) {
   const Points points = e.samples.points;
   const Point origin = points[loop.points[0]];
@@ -27,7 +27,7 @@ double outer_rank(const Loop& loop, const RimEvidence& e) {
     const Point n = triangle_normal(points, t);
     normal = normal + (distance(p, points[b]) / std::max(norm(n), 1e-300)) * n;
   }
-  // -1 for a flat hole, 1 for a flat outline, 0 where the surface stands upright on the loop.
+  // -1 for a flat hole, 1 for a flat outline, 0 where the surface is perpendicular to the loop's plane.
   const double lies = dot(area, normal) / std::max(norm(area) * loop.length, 1e-300);
   return distance(low, high) * std::exp(lies);
 }
@@ -38,7 +38,7 @@ bool is_boundary(const Loop& loop, const std::vector<SurfaceComponent>& componen
          loop.probability >= options.min_probability && is_surface(components[loop.component]);
 }
 
-// Gives boundaries their kinds.
+// Assigns kinds to boundaries.
 std::vector<Loop> with_kinds(std::vector<Loop> boundaries, std::size_t components,
                              const RimEvidence& evidence) {
   std::vector<double> best(components, -1);

@@ -11,11 +11,11 @@ namespace rimline {
 
 struct ClassifiedLoops {
   std::vector<Loop> boundaries;  // by component, the outer one first, holes by falling length
-  std::vector<Loop> gaps;        // too short, too improbable, of a scrap of surface, or not asked for
+  std::vector<Loop> gaps;        // too short, too improbable, of a small component, or not asked for
 };
 
-// The outer loop of a component is the boundary of the largest extent, where one that has the surface inside
-// it counts for more and one that has it around it for less. `components`: by number.
+// The outer loop of a component is the boundary of the largest extent, weighted up where the surface is
+// inside it and down where it is around it. `components`: by number.
 ClassifiedLoops classify_loops(const std::vector<Loop>& loops,
                                const std::vector<SurfaceComponent>& components, const RimEvidence& evidence,
                                const BoundaryLoopOptions& options);

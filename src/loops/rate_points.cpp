@@ -14,7 +14,7 @@
 namespace rimline {
 namespace {
 
-// That a point is on the boundary, as one place of a rim says.
+// The probability that a point is on the boundary, by one visit of a rim.
 struct Rating {
   Index point;
   double probability;
@@ -26,8 +26,8 @@ std::vector<float> raised(std::vector<float> probability, const std::vector<Rati
   return probability;
 }
 
-// Of the points of a rim, and of those behind its edges, which would be on it if their triangles were left
-// out.
+// For the points of a rim, and for those behind its edges, which would be on it if their triangles were
+// removed.
 std::vector<Rating> rate_rim(const Loop& rim, const RimEvidence& e, const LocalSizes& sizes,
                              const BoundaryScores& scores) {
   constexpr model::FitnessModel weights;
@@ -52,7 +52,7 @@ std::vector<Rating> rate_rim(const Loop& rim, const RimEvidence& e, const LocalS
   return ratings;
 }
 
-// Behind a jagged rim lie points that would be on it, had all its false ears been seen.
+// Points behind a jagged rim would be on it if all its false ears had been found.
 std::vector<Rating> rate_behind_jagged(const Loop& rim, const RimEvidence& e, const LocalSizes& sizes,
                                        const CornerHistogram& corners) {
   const auto& ids = rim.points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How likely each point is on the boundary.
+// The probability of each point to be on the boundary.
 #pragma once
 
 #include <vector>
@@ -18,8 +18,8 @@ std::vector<float> rate_points(const std::vector<Loop>& rims, const RimEvidence&
                                const LocalSizes& sizes, const CornerHistogram& corners,
                                const BoundaryScores& scores);
 
-// The same, no less than is likely of points at planes that have cut the surface: what lies there as the
-// outermost points of a rim do may be on the boundary, though triangles join it to the others.
+// The same, raised to the probability of points at planes that have cut the surface: points there that lie
+// like the outermost points of a rim may be on the boundary, although triangles join them to the others.
 std::vector<float> raise_at_cuts(std::vector<float> probability, const std::vector<Loop>& boundaries,
                                  const Samples& samples);
 

@@ -10,8 +10,8 @@
 
 namespace rimline {
 
-// All of them, each with its component, its length and its probability to be a boundary; kinds are not known
-// yet.
+// All rims as loops, each with its component, its length and its probability to be a boundary; kinds are not
+// known yet.
 std::vector<Loop> trace_loops(const RimEvidence& evidence, const Components& components, const Run& run);
 
 }  // namespace rimline

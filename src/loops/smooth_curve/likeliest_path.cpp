@@ -11,7 +11,7 @@
 namespace rimline {
 namespace {
 
-// A point that the rim may go through.
+// A candidate state: a point that the rim may visit.
 struct State {
   double at;    // along the curve, in mean steps of the rim
   double odds;  // logarithm, by how far out it lies
@@ -20,8 +20,8 @@ struct State {
   std::size_t before = 0;                                  // the state before on that path
 };
 
-// The states from the outermost projection once around and back to it. `line`: what parts the first `count`
-// of the projections from the others.
+// The states from the outermost projection once around and back to it. `line`: separates the first `count`
+// projections from the others.
 std::vector<State> find_states(const RimCurve& curve, const std::vector<Projection>& projections,
                                std::size_t count, double line, double noise) {
   constexpr double least_odds = model::path_least_odds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The likeliest way of a rim through the points about its curve.
+// The most probable path of a rim through the points about its curve.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,13 @@
 namespace rimline {
 
 // Noise moves points along the rim as well as across it. Where two of the outermost points lie close
-// together, one of them is likely to come from behind; where they leave a gap, the outermost point of the gap
-// is likely to be of the rim. Of all ways around the curve this is the likeliest: its sum of the log odds of
-// its points (by how far out they lie), less the cost of its steps (by how far their lengths are from 1, as
-// normal errors), is the greatest. By the Viterbi algorithm (Viterbi 1967) over the points in the order of
-// the curve.
+// together, one of them probably comes from behind; where they leave a gap, the outermost point of the gap
+// probably belongs to the rim. This is the path around the curve with the greatest sum of log odds of its
+// points (by how far out they lie), less the cost of its steps (by the difference of their lengths from 1, as
+// normal errors). Found by the Viterbi algorithm (Viterbi 1967) over the points in the order of the curve.
 //
-// `projections`: from the outermost inwards; `count`: how many the rim is expected to have; `noise`: standard
-// deviation of the points over the spacing. Returns the samples along the curve.
+// `projections`: from the outermost inwards; `count`: the expected number of points of the rim; `noise`:
+// standard deviation of the points over the spacing. Returns the samples along the curve.
 std::vector<RimSample> likeliest_path(const RimCurve& curve, const std::vector<Projection>& projections,
                                       std::size_t count, double noise);
 

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t samples_in_task = 128;  // long enough to hide the cost of a task [speed]
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Numbers points in the order in which they are asked for first. An open hash table.
+// Numbers points in the order of their first use. An open hash table.
 class PointNumbers {
  public:
   explicit PointNumbers(std::size_t most_asked)
@@ -51,7 +51,7 @@ class Projector {
   Projector(const RimCurve& curve, Points points, const Neighbours& neighbours)
       : curve_(curve), points_(points), neighbours_(neighbours) {}
 
-  // The points of a stretch of the rim and their neighbours.
+  // The points of a section of the rim and their neighbours.
   std::vector<Projection> project(std::span<const RimSample> samples) const {
     const std::size_t in_list = 1 + static_cast<std::size_t>(neighbours_.k);
     PointNumbers numbers(samples.size() * in_list);
@@ -82,7 +82,8 @@ class Projector {
   void seek(Projection& projection, std::span<const double> about) const {
     constexpr std::ptrdiff_t reach = 8;  // knots, four spacings [speed]
     const std::ptrdiff_t far = std::min(reach, curve_.size() / 3);
-    std::ptrdiff_t begin = 0, end = 0;  // knots that were looked at: most samples of a projection share them
+    std::ptrdiff_t begin = 0,
+                   end = 0;  // range of knots already evaluated: most samples of a projection share it
     for (const double t : about) {
       const std::ptrdiff_t middle = std::lround(t / curve_.period() * static_cast<double>(curve_.size()));
       const std::ptrdiff_t from = middle - far, to = middle + far + 1;
@@ -113,7 +114,7 @@ class Projector {
   const Neighbours& neighbours_;
 };
 
-// Of the projections of a point that several stretches have found the nearest, of equal ones the first.
+// Of the projections of a point found by several sections the nearest; ties by the first.
 std::vector<Projection> merge(const std::vector<std::vector<Projection>>& parts) {
   std::size_t total = 0;
   for (const auto& part : parts) total += part.size();

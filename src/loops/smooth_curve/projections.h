@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points about a rim, laid out over its smooth curve.
+// The points near a rim, projected to its smooth curve.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace rimline {
 
-// Where a point lies over the curve.
+// The position of a point relative to the curve.
 struct Projection {
   Index point = none;
   double t = 0;    // along the curve, in [0, period)
@@ -22,7 +22,7 @@ struct Projection {
   bool is_sample = false;  // one of the rim's own points
 };
 
-// The samples and their neighbours, each over its nearest knot; those that lie more than a spacing off the
+// The samples and their neighbours, each projected at its nearest knot. Points more than a spacing off the
 // surface behind the curve are left out. In the order in which the samples name them.
 std::vector<Projection> project(const RimCurve& curve, Points points, const Neighbours& neighbours,
                                 const std::vector<RimSample>& samples, const Run& run);

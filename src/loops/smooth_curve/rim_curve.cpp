@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t knots_in_task = 32;  // long enough to hide the cost of a task [speed]
 
-// The mean of the spacings about a point, which is less partial than its own: the neighbours of a point of
-// the rim are on one side.
+// The mean of the spacings around a point, which is less biased than its own: the neighbours of a rim point
+// are on one side.
 double spacing_about(const Neighbours& neighbours, const std::vector<double>& spacing, Index point) {
   const auto near = neighbours.of(point, std::min(model::few_neighbours, neighbours.k));
   double sum = 0;

@@ -26,7 +26,7 @@ struct Knot {
   Point at, along, out, normal;  // the directions are unit vectors; `out` leaves the surface
   double step;                   // length of one unit of t
   double spacing;                // of the points here
-  double along_density = 1;      // how much closer points lie along the curve than alike in all directions,
+  double along_density = 1;      // density along the curve relative to an isotropic sampling
   double out_density = 1;        // and across it
 };
 
@@ -39,21 +39,21 @@ class RimCurve {
   std::ptrdiff_t size() const { return static_cast<std::ptrdiff_t>(knots_.size()); }
   const Knot& knot(std::size_t i) const { return knots_[i]; }
   double t_of(std::size_t i) const { return period_ * static_cast<double>(i) / static_cast<double>(size()); }
-  // The knot of a number that is once around off at most.
+  // The knot of an index that is off by at most one period.
   std::size_t wrap(std::ptrdiff_t i) const {
     return static_cast<std::size_t>(i < 0 ? i + size() : i < size() ? i : i - size());
   }
 
-  // How many points a rim here has where points are one to a square spacing.
+  // The expected number of points of a rim here, at one point per squared spacing.
   double point_count() const { return running_count().back(); }
-  // The same from the first knot to each, and once around.
+  // The same from the first knot to each, and for the full period.
   std::vector<double> running_count() const;
   // Area, in square spacings, of a strip along the curve that is one spacing wide and lies `depth` spacings
   // inwards.
   double strip(double depth) const;
 
-  // The same curve, the densities at its knots measured from offsets to near neighbours: at places t,
-  // ascending, along the curve and out, in spacings.
+  // The same curve with densities at its knots, measured from offsets to near neighbours: at positions t,
+  // ascending, along the curve and outwards, in spacings.
   RimCurve with_densities(const std::vector<std::pair<double, Offset>>& offsets, const Run& run) const;
 
  private:

@@ -15,7 +15,7 @@
 namespace rimline {
 namespace {
 
-// A curve and the points about it, from the outermost inwards.
+// A curve and the points near it, from the outermost inwards.
 struct Layout {
   RimCurve curve;
   std::vector<Projection> projections;
@@ -44,7 +44,7 @@ double row_of(const std::vector<Projection>& projections) {
   return out.empty() ? 0 : out[out.size() / 2];  // the projections descend
 }
 
-// How many points the rim has, by the density behind it; 0 where there is no area behind.
+// The number of points of the rim, by the density behind it; 0 where there is no area behind.
 std::size_t expected_count(const Layout& layout) {
   // The density is measured in a strip behind the rim with soft edges, so that no row comes in or falls out
   // as a whole.
@@ -58,8 +58,8 @@ std::size_t expected_count(const Layout& layout) {
   return count < 1e9 ? static_cast<std::size_t>(std::lround(count)) : 0;  // [guard]
 }
 
-// The count near the expected one at which fewest points lie about the line between the first so many and the
-// others.
+// The count near the expected one for which fewest points lie at the line that separates the first so many
+// points from the others.
 std::size_t count_at_valley(const Layout& layout, std::size_t count, bool anisotropic) {
   constexpr double width = model::valley_width;
   const auto& [curve, found] = layout;
@@ -87,8 +87,8 @@ std::size_t count_at_valley(const Layout& layout, std::size_t count, bool anisot
   return best;
 }
 
-// How many points are so close behind a rim of `count` points that nothing tells them from it: of random ones
-// half a spacing's worth. Rows along the rim are not random.
+// The number of points so close behind a rim of `count` points that they can not be told from it: half a
+// spacing of random points. Rows along the rim are not random.
 std::size_t count_close_behind(std::size_t count, const NoiseModel& noise) {
   if (noise.anisotropic) return 0;
   return static_cast<std::size_t>(
@@ -124,7 +124,7 @@ SmoothedLoop smooth_loop(Points points, const Neighbours& neighbours, const std:
     const std::size_t expected = expected_count(*layout);
     if (expected < shortest || expected >= all.size()) return {};
     const std::size_t close = count_close_behind(expected, noise);
-    // What is behind a rim with more points than that does not tell its points.
+    // Beyond so many points, the points behind a rim do not determine the rim.
     if (expected + close < rim.size()) return {};
     const std::size_t count = count_at_valley(*layout, expected, noise.anisotropic);
     const std::size_t last = std::min(all.size() - 1, count + close);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A loop drawn anew over a smooth curve along its rim, where noise or chance blurs which points are on it.
+// A loop redrawn along a smooth curve, where noise or random sampling makes its points uncertain.
 #pragma once
 
 #include <vector>
@@ -12,21 +12,21 @@
 namespace rimline {
 
 struct SmoothedLoop {
-  std::vector<Index> loop;    // simple; empty where the rim can not be drawn anew
-  std::vector<Index> near;    // all points that were looked at, from the outermost inwards ...
-  std::vector<double> depth;  // ... and how far outside the parting line each lies, in spacings: the line
-                              // between the points that may be on the boundary and those inside it
+  std::vector<Index> loop;  // simple; empty where the rim can not be redrawn
+  std::vector<Index> near;  // all points that were looked at, from the outermost inwards ...
+  std::vector<double>
+      depth;  // ... and the distance of each outside the separating line, in spacings: the line
 };
 
-// Under noise it is chance at which of the points about a rim a triangulation ends. So a curve is fitted
-// along the rim by moving least squares, over some spacings, and points are ranked by how far out of it they
-// lie. The outermost may be the loop, as many as a rim has at the density behind it. Where points are even,
-// the loop is the likeliest path: through points that lie far out, in steps that are about equal; else it is
-// the outermost. The curve puts them in order.
+// Under noise the points at which a triangulation ends are random. So a curve is fitted along the rim by
+// moving least squares over some spacings, and the points are ranked by their distance outwards. The
+// outermost points are the loop, as many as a rim has at the density behind it. Where points are even, the
+// loop is the most probable path: through points that lie far out, in nearly equal steps; otherwise it visits
+// the outermost points in the order of the curve.
 //
-// A rim has one point to a spacing (the root of the area of a point). Among random points, those within half
-// a spacing of the rim may be on it as well: nothing tells them from it. The loop does not go through them,
-// as it would be a tenth too long and jagged.
+// A rim has one point per spacing (the root of the area of a point). Among random points, those within half a
+// spacing of the rim can not be told from rim points. The loop does not visit them, because it would be a
+// tenth too long and jagged.
 //
 // `rim`: a loop with the surface on its left; `normals`: unit normals of the surface at its points, oriented
 // alike. The rim must be longer than about ten spacings.

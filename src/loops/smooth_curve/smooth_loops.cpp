@@ -12,7 +12,7 @@
 namespace rimline {
 namespace {
 
-// Of the triangles at its edges.
+// Normals of the triangles at its edges.
 std::vector<Point> normals_along(const Loop& loop, const RimEvidence& e) {
   const Points points = e.samples.points;
   const std::size_t n = loop.points.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boundaries drawn anew, where noise or chance blurs which points are on them.
+// The boundaries redrawn, where noise or random sampling makes their points uncertain.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ struct SmoothedLoops {
   std::vector<float> probability;  // per point
 };
 
-// Draws each loop over a smooth curve (smooth_loop.h), and rates the points about it by how far out of it
-// they lie. Loops that share no point keep it so: where two would meet, the later one stays as it was; so
-// does one that would become half as long again. On clean points, and among random ones, the search knows
-// better which points the loop goes through: only the probabilities are new. Where nothing blurs, all stays
-// as it was.
+// Redraws each loop along a smooth curve (smooth_loop.h), and rates the points near it by their distance
+// outwards. Disjoint loops stay disjoint: where two would meet, the later one keeps its old course, and so
+// does a loop that would become half as long again. On clean points, and on random ones, the search knows
+// better which points are on the loop: only the probabilities change. Where nothing is uncertain, nothing
+// changes.
 SmoothedLoops smooth_loops(const std::vector<Loop>& loops, const std::vector<float>& probability,
                            const RimEvidence& evidence, const Run& run);
 
