@@ -111,7 +111,7 @@ void add_fields(CLI::App& command, MethodArguments& arguments) {
                                                       : "X";
     const std::string description =
         fmt::format("{}. {} {}", field.help, range_of(field), where_and_default(field));
-    // Parsed here only to refuse a bad value at once; options() parses it again, over the chosen preset.
+    // Parses here only to refuse a bad value at once; options() parses it again, over the chosen preset.
     auto check = [&arguments, id = std::string(field.name)](const std::string& text) {
       Options trial;
       visit_fields(trial, [&](const auto& candidate) {
@@ -131,7 +131,7 @@ void add_fields(CLI::App& command, MethodArguments& arguments) {
               fmt::format("{} is {}; the {} does not use it", flag, where_used(used_by), chosen));
 }
 
-// What was given and does not count is refused: nobody should believe that it did something.
+// Refuses options that were given and have no effect.
 void check_counts(const MethodArguments& arguments, const Options& options) {
   const bool has_loops = !arguments.use_loops.empty();
   const auto check = [&](const std::string& flag, UsedBy used_by) {

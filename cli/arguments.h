@@ -17,7 +17,7 @@
 
 namespace rimline::cli {
 
-// What every subcommand takes.
+// Options of every subcommand.
 struct Common {
   std::uint64_t seed = 1;
   int threads = 0;
@@ -25,13 +25,13 @@ struct Common {
   bool quiet = false;
 };
 
-// Points and which of them.
+// The input file, and the points taken from it.
 struct Input {
   std::string path;
   PointFilter filter;
 };
 
-// What the subcommands that run the method take. Empty paths are files that were not asked for.
+// Options of the subcommands that run the method. An empty path means that the file was not asked for.
 struct MethodArguments {
   Common common;
   Preset preset = Preset::Default;
@@ -49,24 +49,24 @@ struct MethodArguments {
   int picture_size = 620;                     // pixels of each panel
   std::map<std::string, std::string> fields;  // options given as flags: the field's name, its text
 
-  // The preset's options, with what was given as flags on top. Throws BadOption for a flag that does not
-  // count under them.
+  // The preset's options, overridden by the given flags. Throws BadOption for a flag that has no effect under
+  // them.
   Options options() const;
-  // Flags that were given and count only where a map or a mesh is made.
+  // The given flags that affect a map or a mesh only.
   std::vector<std::string> flags_of_mesh() const;
 };
 
-// Adds a subcommand with its help: `example` stands on top of it. `--help` and `--version` come with it.
+// Adds a subcommand with its help, which begins with `example`. `--help` and `--version` are added, too.
 CLI::App& add_subcommand(CLI::App& tool, const std::string& name, const std::string& description,
                          const std::string& example);
 
-// An option that takes the path of a file, or "-". An empty one, which a script's unset variable leaves, is
-// bad usage.
+// An option that takes the path of a file, or "-". An empty path (an unset variable of a script) is bad
+// usage.
 CLI::Option* add_path(CLI::App& command, const std::string& flags, std::string& path,
                       const std::string& value, const std::string& description);
 
 void add_common(CLI::App& command, Common& common);
-// IN, and which of its points are taken: --class, --returns.
+// IN, and the filter of its points: --class, --returns.
 void add_input(CLI::App& command, Input& input);
 void add_output(CLI::App& command, std::string& output, const std::string& value,
                 const std::string& description, bool required);
@@ -74,10 +74,10 @@ void add_output(CLI::App& command, std::string& output, const std::string& value
 // --preset, --loops, --use-loops, --report, --history, --picture, --up and one flag per field of the options.
 void add_method(CLI::App& command, MethodArguments& arguments);
 
-// --reference, --distortion, --uv-picture: what only a mesh can give.
+// --reference, --distortion, --uv-picture and other options of a mesh.
 void add_mesh_method(CLI::App& command, MethodArguments& arguments);
 
-// An option that `parse` turns into a value; what it throws ends the tool with status 1.
+// An option whose text `parse` converts; an error that it throws ends the tool with status 1.
 CLI::Option* add_parsed(CLI::App& command, const std::string& flags, const std::string& value,
                         const std::string& description, const std::string& group,
                         std::function<void(const std::string&)> parse);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pictures are drawn on: panels beside each other, rasters within them, a file at the end.
+// The canvas of pictures: panels side by side, rasters within them.
 #pragma once
 
 #include <cairo.h>
@@ -25,7 +25,7 @@ constexpr Colour faint = {0.45, 0.48, 0.52};
 
 inline Point finer(Point p) { return fine * p; }
 
-// From a plane with y up to the pixels of a panel, y down.
+// Transforms a plane with y up to the pixels of a panel, y down.
 struct Fit {
   double scale = 1, x0 = 0, y0 = 0;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results as properties of the points: what POINTS.ply and MESH.ply hold beside the input's own. A property
-// of the input with one of these names is replaced: a `boundary` in the input is truth from elsewhere, not
-// ours.
+// Results as properties of the points in POINTS.ply and MESH.ply, beside the input's own. A property of the
+// input with one of these names is replaced: a `boundary` in the input is ground truth from elsewhere.
 #pragma once
 
 #include <vector>

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_charts = 40;
 
-// Which charts are drawn.
+// Selects the charts that are drawn.
 std::vector<char> chosen_charts(std::span<const Index> chart) {
   std::vector<std::size_t> size;
   for (const Index c : chart) {
@@ -30,7 +30,7 @@ std::vector<char> chosen_charts(std::span<const Index> chart) {
 
 using Side = std::pair<Index, Index>;
 
-// Edges that only one triangle has: its own way round.
+// Edges of one triangle, in its direction.
 template <class Corners>
 std::vector<Side> open_sides(const Corners& triangles) {
   std::vector<Side> sides;

@@ -15,7 +15,7 @@ struct DrawnMap {
   std::vector<UV> uv;                    // of each place; NaN for those that are not drawn
   std::vector<Triangle> triangles;       // of the mesh
   std::vector<Triangle> corners;         // of each of these, its places
-  std::size_t charts = 0, left_out = 0;  // how many are drawn, and how many are not
+  std::size_t charts = 0, left_out = 0;  // number of charts that are drawn, and that are not
 };
 
 // The 40 charts of most triangles. Of equal ones the first.

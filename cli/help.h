@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What --help prints.
+// The text of --help.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace rimline::cli {
 
-// The example on top, then what it does, how it is called, and the options by group.
+// The example, then the description, the usage, and the options by group.
 std::string help_of_subcommand(const CLI::App& command);
 std::string help_of_tool(const CLI::App& tool);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Large arrays of the tool lie on huge pages where the system gives them when asked: a scan of a million
-// points is worked on in hundreds of megabytes, and the processor otherwise looks up where each small page of
-// them is. In the tool alone: a library leaves memory to its host. docs/lab has what it brings.
+// Requests huge pages for large arrays of the tool: a scan of a million points needs hundreds of megabytes,
+// and address translation of small pages is slow. Only in the tool: a library leaves memory to its host.
+// docs/lab has the measurement.
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #include <sys/mman.h>
 

@@ -26,7 +26,7 @@ std::string line(const char* label, const std::string& text) {
   return fmt::format("{:<12} {}\n", label, text);
 }
 
-// Where the points lie, and how far they reach.
+// The box and the extent of the points.
 std::string box_lines(Points points, const std::string& unit) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Point low = {infinite, infinite, infinite}, high = {-infinite, -infinite, -infinite};
@@ -61,7 +61,7 @@ int exponent_of(const std::vector<Point>& points) {
 }
 
 std::string spacing_line(Arrangement distinct, const Run& run) {
-  constexpr int six = 6;  // what local_spacing() averages over
+  constexpr int six = 6;  // neighbours that local_spacing() averages over
   const int exponent = exponent_of(distinct.points);
   for (Point& p : distinct.points)
     p = {std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int status_interrupted = 5;
 
-// Where no step has looked at `interrupted` in time.
+// Ends the process where no step has tested `interrupted` in time.
 extern "C" void on_deadline(int) {
   remove_unfinished_files();
   const char text[] = "\nrimline: interrupted\n";
@@ -35,7 +35,7 @@ void handle(int signal, void (*handler)(int)) {
   struct sigaction action = {};
   action.sa_handler = handler;
   sigemptyset(&action.sa_mask);
-  // No SA_RESTART: a read that waits for a pipe is to come back.
+  // No SA_RESTART: a read that waits for a pipe must return.
   sigaction(signal, &action, nullptr);
 }
 
@@ -49,7 +49,7 @@ bool is_ignored(int signal) {
 void catch_interrupts() {
   handle(SIGINT, on_interrupt);
   handle(SIGTERM, on_interrupt);
-  if (!is_ignored(SIGHUP)) handle(SIGHUP, on_interrupt);  // nohup wants it ignored
+  if (!is_ignored(SIGHUP)) handle(SIGHUP, on_interrupt);  // nohup ignores it
   handle(SIGALRM, on_deadline);
   handle(SIGPIPE, SIG_IGN);
   handle(SIGXFSZ, SIG_IGN);

@@ -25,7 +25,7 @@ constexpr std::size_t most_ids_listed = 10;
 
 int say(const std::string& message, int status) {
   const std::string line = "rimline: " + message + "\n";
-  std::fwrite(line.data(), 1, line.size(), stderr);  // where it takes nothing, the status has to do
+  std::fwrite(line.data(), 1, line.size(), stderr);  // a closed standard error leaves the exit status alone
   return status;
 }
 
@@ -43,7 +43,7 @@ std::string where_to_look(const CLI::App& tool) {
                         : fmt::format("; see rimline {} --help", called.front()->get_name());
 }
 
-// One sentence for what CLI11 found wrong.
+// One sentence for an error of CLI11.
 std::string sentence(const CLI::App& tool, const CLI::ParseError& error, int argc, char** argv) {
   if (tool.get_subcommands().empty()) {
     if (argc < 2) return "a subcommand is missing";
@@ -95,7 +95,7 @@ int run_tool(int argc, char** argv) {
   return 0;
 }
 
-// Status 4 where what was printed did not reach its reader (a full disk, a closed pipe).
+// Status 4 where the output did not reach its reader (a full disk, a closed pipe).
 int flushed(int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
   return status != 0 ? status

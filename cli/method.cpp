@@ -44,7 +44,7 @@ Inputs read_inputs(const MethodArguments& arguments, Session& session) {
 
 namespace {
 
-// Reading before what the library timed, writing after it; the library's part of writing is the result.
+// Adds the costs of reading and writing around the library's; the library's part of writing is the result.
 void add_costs(std::vector<StageCost>& stages, const std::vector<StageCost>& around) {
   for (const StageCost& cost : around) {
     const auto known = std::ranges::find(stages, cost.stage, &StageCost::stage);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What boundary, parameterize and reconstruct do alike, before and after the library's call.
+// Common parts of boundary, parameterize and reconstruct, before and after the library's call.
 #pragma once
 
 #include <vector>
@@ -21,10 +21,10 @@ struct Inputs {
 // All files that the arguments ask for, `main_output` first.
 std::vector<Output> outputs_of(const MethodArguments& arguments, const Output& main_output);
 
-// The points, their normals and the boundary made by hand, where there is one.
+// The points, their normals and the given loops.
 Inputs read_inputs(const MethodArguments& arguments, Session& session);
 
-// The report with what the reader of the points had to say before its own warnings.
+// The report with the reader's warnings before its own.
 Report told(const Inputs& inputs, Report report);
 
 // Writes the loops, the picture and the report, as far as they were asked for, then prints the summary. The

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files that a run is to write, looked at before any work is done for them.
+// The output files of a run, checked before any work.
 #pragma once
 
 #include <string>

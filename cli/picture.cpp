@@ -22,7 +22,7 @@
 namespace rimline::cli {
 namespace {
 
-constexpr std::size_t most_edges = 40'000;  // more of them would only blacken the map
+constexpr std::size_t most_edges = 40'000;  // more edges would only blacken the map
 
 constexpr Colour near_point = {0.12, 0.27, 0.39};
 constexpr Colour far_point = {0.80, 0.86, 0.90};
@@ -34,7 +34,7 @@ constexpr Colour hole_colour = {0.06, 0.42, 0.80};
 constexpr Colour front_colour = {0.93, 0.85, 0.72};
 constexpr Colour back_colour = {0.56, 0.66, 0.78};
 
-// Everything the panels share: where each point is on the panel, and how far its neighbours are.
+// Common data of the panels: the position of each point, and the distance of its neighbours.
 struct Stage3d {
   const Scene& scene;
   View view;
@@ -80,7 +80,7 @@ Stage3d arrange_stage(const Scene& scene, const Run& run) {
   return stage;
 }
 
-// A screen of discs just behind the points, so that those of the far side do not shine through.
+// Opaque discs just behind the points, which hide the far side.
 Raster solid(const Stage3d& stage, const Run& run) {
   Raster raster(fine * panel, fine * panel);
   for (std::size_t i = 0; i < stage.place.size(); ++i) {
@@ -124,7 +124,7 @@ Colour shade(const Stage3d& stage, const Triangle& t) {
   return mix(shadow, n.z >= 0 ? front_colour : back_colour, 0.30 + 0.75 * std::max(0.0, facing));
 }
 
-// The same light for the map, where all of the surface is seen at once: it fades evenly to the far side.
+// The same light for the map, where the whole surface is visible: it fades towards the far side.
 Colour shade_all_round(const Stage3d& stage, const Triangle& t) {
   return mix(shadow, front_colour, 0.25 + 0.40 * (1 + dot(seen_normal(stage, t), light)));
 }
@@ -140,7 +140,7 @@ void draw_mesh(Raster& raster, const Stage3d& stage, const Run& run) {
 
 Colour colour_of(LoopKind kind) { return kind == LoopKind::Outer ? outer_colour : hole_colour; }
 
-// The loops over a drawing: strong where they are seen, thin where something hides them.
+// Draws the loops: strong where they are visible, thin where they are hidden.
 void draw_loops(cairo_t* cairo, const Stage3d& stage, const Raster& hiding) {
   cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
   for (const bool visible : {false, true}) {
@@ -250,7 +250,7 @@ void draw_uv_loops(cairo_t* cairo, const std::vector<Loop>& loops, const std::ve
   }
 }
 
-// The surface as the map lays it out: each triangle with the light that falls on it in space.
+// Draws the surface in the plane of the map, each triangle with its shading in space.
 void panel_map(cairo_t* cairo, const Stage3d& stage, const Run& run) {
   const Scene& scene = stage.scene;
   const DrawnMap map = drawn_map(scene);
@@ -338,7 +338,7 @@ std::vector<Panel> panels_of(const Stage3d& stage, const Raster& screen, const R
   return panels;
 }
 
-// Those that were asked for, in that order; all where none was. Throws BadOption for one that is not there.
+// The requested panels, in that order; all where none was requested. Throws BadOption for an unknown one.
 std::vector<Panel> chosen(const std::vector<Panel>& panels, const std::vector<std::string>& names) {
   if (names.empty()) return panels;
   std::vector<Panel> result;

@@ -16,9 +16,9 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  // Draws the line anew, at most twenty times a second within one stage.
+  // Redraws the line, at most twenty times a second within one stage.
   void show(Progress progress);
-  // Takes the line away, for other text or at the end.
+  // Removes the line.
   void erase();
 
  private:

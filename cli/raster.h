@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small image with depth: what is nearer to the eye hides what is farther.
+// A small image with a depth buffer.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ class Raster {
 
   // A disc that faces the eye; drawn where it is nearer than what is there.
   void disc(Point centre, double radius, Colour colour);
-  // The same for depth alone: it hides what lies behind and shows nothing itself.
+  // The same for depth alone: it hides what is behind and draws nothing.
   void screen(Point centre, double radius);
   void triangle(Point a, Point b, Point c, Colour colour);
   // The same, its colour depending on the place: weights of b and of c, from 0 to 1.

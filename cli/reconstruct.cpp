@@ -16,7 +16,7 @@
 namespace rimline::cli {
 namespace {
 
-// What was asked for on top: which vertices and triangles fill holes, and how much the map distorts them.
+// Adds the requested properties: which vertices and triangles fill holes, and the distortion of the map.
 // Returns the properties of the faces.
 std::vector<Column> put_mesh_columns(const MethodArguments& arguments, const ReconstructResult& result,
                                      Cloud& cloud) {
@@ -37,14 +37,14 @@ std::vector<Column> put_mesh_columns(const MethodArguments& arguments, const Rec
   return of_faces;
 }
 
-// Loops and report are written all the same where there is no mesh.
+// Writes loops and report although there is no mesh.
 void write_without_mesh(const MethodArguments& arguments, const Inputs& in, const BoundaryResult& found,
                         Session& session) {
   if (!arguments.loops.empty()) write_loops(arguments.loops, found.loops, in.cloud.points, session.run());
   if (!arguments.report.empty()) write_text(arguments.report, to_json(found.report));
 }
 
-// What is known where nothing was found.
+// The result where nothing was found.
 BoundaryResult nothing_found(const MethodArguments& arguments, const Inputs& in, const Error& error) {
   BoundaryResult result;
   result.report.options = arguments.options();
@@ -68,7 +68,7 @@ ReconstructResult mesh_or_write_rest(const MethodArguments& arguments, const Opt
   }
 }
 
-// With the map where a texture wants it.
+// The options, with the map that a texture needs.
 Options options_of(const MethodArguments& arguments) {
   Options options = arguments.options();
   if (arguments.texture_size == 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run of a subcommand: seed, threads, progress and Ctrl-C as the library wants them, and the clock.
+// One run of a subcommand: seed, threads, progress and Ctrl-C for the library, and the clock.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One per file. Each adds itself to the tool and runs when it was called.
+// The subcommands, one in each file. Each adds itself to the tool and is run by its callback.
 #pragma once
 
 #include <CLI/CLI.hpp>

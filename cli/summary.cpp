@@ -35,7 +35,7 @@ std::string loop_lines(const std::vector<Loop>& loops) {
   return text;
 }
 
-// What Algorithms 3.1 and 3.2 found; nothing where they did not run.
+// Results of Algorithms 3.1 and 3.2; empty where they did not run.
 std::string search_line(const SearchSummary& search) {
   if (search.starts == 0) return "";
   return line("search",
@@ -106,7 +106,7 @@ std::string distortion_line(const DistortionSummary& d) {
                                         d.angle_mean, d.stretch_l2, d.stretch_linf));
 }
 
-// Those that are suspect or failed are told by the warnings.
+// Suspect and failed components are in the warnings.
 std::string component_lines(const std::vector<ComponentSummary>& components) {
   std::size_t meshed = 0;
   for (const ComponentSummary& component : components) meshed += component.failure.empty();

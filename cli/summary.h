@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run came to, in a few lines for people.
+// A summary of a run in a few lines.
 #pragma once
 
 #include <string>

@@ -14,8 +14,8 @@
 namespace rimline::cli {
 namespace {
 
-// What full colour is: of integers all bits, or 8 where no value is larger; of others 1 or as the largest
-// asks.
+// The value of full colour: all bits of an integer, or 8 where no value is larger; 1 for other types, or the
+// maximum.
 double full_colour(const std::array<const Column*, 3>& columns, std::size_t points) {
   if (columns[0]->type == Scalar::UInt8) return 255;
   double most = 0;
@@ -71,7 +71,7 @@ std::vector<Colour> shades_of(const Column& column, std::size_t points) {
   return colours;
 }
 
-// Fills what is empty beside what is not with the mean of its neighbours.
+// Fills empty pixels beside filled ones with the mean of their neighbours.
 std::vector<std::uint32_t> bled(std::vector<std::uint32_t> pixels, int size) {
   constexpr int rings = 4;
   for (int ring = 0; ring < rings; ++ring) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture of what the points carry, laid out as the map is.
+// A texture: properties of the points, laid out by the map.
 #pragma once
 
 #include <string>

@@ -24,7 +24,7 @@ struct BoundaryResult {
   std::vector<std::uint8_t> candidate;      // 1 where p <= significance
   std::vector<double> p_value;              // of the chi-square test, eq. (1)
   std::vector<double> score;                // eq. (2) in the score form of the options
-  std::vector<float> boundary_probability;  // calibrated; empty in the paper's presets
+  std::vector<float> boundary_probability;  // that the point is on a boundary, calibrated; empty in the paper's presets
   std::vector<PointLabel> label;            // the kind of the point; empty in the paper's presets
   std::vector<std::uint8_t> chromosome;     // 1 where the winner's bit is set; empty but where the paper's
                                             // presets looked for a loop

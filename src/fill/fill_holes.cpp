@@ -9,7 +9,7 @@
 namespace rimline {
 namespace {
 
-// The edges between points of rims, which no fill may make again.
+// The edges between points of rims; no fill may repeat one.
 class RimEdges {
  public:
   RimEdges(std::size_t points, const Triangulation& mesh, const std::vector<Loop>& loops) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The holes of a patch that its policy closes.
+// Fills the holes of a patch that its policy closes.
 #pragma once
 
 #include <span>
@@ -17,10 +17,10 @@ struct HoleFills {
   std::vector<Triangle> triangles;  // of all fills, one after the other
   std::vector<Point> added;         // their ids follow those of `points`
   std::vector<HoleFill> fills;
-  std::vector<Loop> loops;  // those that stay, the outer one first
+  std::vector<Loop> loops;  // the loops that stay, the outer one first
 };
 
-// Closes holes of the mesh that the loops (the outer one first) bound. The mesh itself stays as it is: a fill
+// Closes holes of the mesh. `loops`: its boundary, the outer loop first. The mesh stays as it is: a fill
 // makes no edge that the mesh has. `spacing` is one per point.
 HoleFills fill_holes(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
                      std::span<const double> spacing, const RefineOptions& options, const Run& run);

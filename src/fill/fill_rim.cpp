@@ -24,30 +24,30 @@ class Fill {
       : rim_(static_cast<Index>(rim.size())),
         points_(rim.begin(), rim.end()),
         mesh_(std::move(mesh)),
-        // Vertices of the fill's own are joined to nothing else.
+        // New vertices have no edges outside the fill.
         may_join_([this, &may_join](Index a, Index b) { return a >= rim_ || b >= rim_ || may_join(a, b); }),
         run_(run) {}
   Fill(const Fill&) = delete;
 
   void flip() { flip_edges(points_, mesh_, run_, may_join_); }
 
-  // Splits triangles at their centres where these are far from all three corners, as the local size says.
+  // Splits triangles at their centres where these are far from all three corners by the local size.
   void add_points(std::span<const double> spacing, std::size_t most) {
     size_.assign(spacing.begin(), spacing.end());
     coarsen(most);
-    constexpr int rounds = 40;  // each halves the triangles' area at least; far fewer are ever needed
+    constexpr int rounds = 40;  // each round at least halves the triangles' area; far fewer are ever needed
     for (int round = 0; round < rounds && split_large(most); ++round) flip();
   }
 
-  // The membrane: every added vertex the mean of its neighbours, weighted by the shapes of the triangles, so
-  // that in the plane all stay where they are.
+  // The membrane: every added vertex becomes the mean of its neighbours, weighted by the shapes of the
+  // triangles. In the plane all stay where they are.
   void relax() {
     if (added() == 0) return;
     std::vector<WeightedEdge> edges;
     for (Index t = 0; t < mesh_.size(); ++t) {
       for (int c = 0; c < 3; ++c) {
         const Index other = mesh_.adjacent[t][c];
-        if (other < t) continue;  // the rim's own edges weigh nothing; others are there from the other side
+        if (other < t) continue;  // rim edges have no weight; other edges are added from the other side
         const Triangle& v = mesh_.triangles[t];
         edges.push_back({v[next(c)], v[previous(c)], cotangent_weight(points_, mesh_, t, c, {})});
       }
@@ -107,7 +107,7 @@ class Fill {
 
   Index rim_;
   std::vector<Point> points_;
-  std::vector<double> size_;  // of the triangles wanted about each point
+  std::vector<double> size_;  // desired triangle size at each point
   Triangulation mesh_;
   MayJoin may_join_;
   const Run& run_;

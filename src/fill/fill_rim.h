@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hole closed: triangles over its rim, flipped in space, with vertices of their own on request.
+// Fills a hole: triangles over its rim, flipped in space, with new vertices on request.
 #pragma once
 
 #include <span>
@@ -15,11 +15,10 @@ struct RimFill {
   std::vector<Point> added;
 };
 
-// Fills a rim, given with the fill on its left: least area (triangulate_polygon), then flips by the
-// opposite-angle rule; the rim's edges stay. `spacing` (one per rim point) may be empty; else vertices are
-// added until triangles are as large as it says (Liepa 2003, section 4, with a bound of `most_added`), and
-// moved to where each is the mean of its neighbours, the discrete membrane over the rim. Empty where
-// `may_join` allows no triangulation.
+// Fills a rim whose fill is on its left: least area (triangulate_polygon), then flips by the opposite-angle
+// rule; the rim's edges stay. `spacing` (one per rim point) may be empty; else vertices are added until
+// triangles have that size (Liepa 2003, section 4, at most `most_added`), and moved to the mean of their
+// neighbours, the discrete membrane over the rim. Empty where `may_join` allows no triangulation.
 RimFill fill_rim(Points rim, std::span<const double> spacing, std::size_t most_added, const MayJoin& may_join,
                  const Run& run);
 

@@ -19,8 +19,8 @@ constexpr std::size_t most_for_least_area = 200;
 // Corners of a polygon, some of those of the whole.
 using Corners = std::vector<Index>;
 
-// Least area over a polygon. In a plane all triangulations without overlap have the same area; the small
-// share of the squared sides then prefers compact triangles, and none without area where it can be helped.
+// Least area over a polygon. In a plane all triangulations without overlap have the same area; a small share
+// of the squared sides then prefers compact triangles, and avoids triangles without area.
 class LeastArea {
  public:
   LeastArea(Points points, const Corners& corners, const MayJoin& may_join)
@@ -85,7 +85,7 @@ class LeastArea {
   std::vector<Index> apex_;   // of its triangle at the side i j
 };
 
-// Least area of a polygon of some corners, what lies between them by the same.
+// Least area of a polygon of every m-th corner, and of the polygons between them likewise.
 bool divide(Points points, const Corners& corners, const MayJoin& may_join,
             std::vector<Triangle>& triangles) {
   if (corners.size() <= most_for_least_area) {
@@ -126,7 +126,7 @@ std::vector<UV> laid_flat(Points corners) {
   return flat;
 }
 
-// Empty where the polygon crosses itself when it is laid flat, or a pair may not be joined.
+// Empty where the projected polygon crosses itself, or a pair must not be joined.
 std::vector<Triangle> triangulate_flat(Points corners, const MayJoin& may_join) {
   const std::vector<UV> flat = laid_flat(corners);
   if (flat.empty()) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A gap of a mesh, closed.
+// Triangulates a gap of a mesh.
 #pragma once
 
 #include <functional>
@@ -10,9 +10,9 @@
 
 namespace rimline {
 
-// Triangulates the ring of points, in its direction, with the least area in space (Barequet & Sharir 1995),
-// among equal ones with short edges. `taken(a, b)` tells the edges that may not be made. Empty where there is
-// no way. Takes time with the third power of the ring's size.
+// Triangulates the closed polygon of points, in its direction, with the least area in space (Barequet &
+// Sharir 1995), ties by short edges. `taken(a, b)` tells the edges that must not be made. Empty where there
+// is no triangulation. The time grows with the third power of the polygon's size.
 std::vector<Triangle> close_ring(Points points, std::span<const Index> ring,
                                  const std::function<bool(Index, Index)>& taken);
 

@@ -31,7 +31,7 @@ struct Block {
   std::vector<Seam> seams;
 };
 
-// Which of some pieces hang together, and which of them lie the other way.
+// Disjoint sets of pieces, with the orientation of each piece relative to its set.
 class Joins {
  public:
   explicit Joins(Index count = 0) : parent_(count), turned_(count, 0) {
@@ -39,19 +39,19 @@ class Joins {
   }
 
   Index count() const { return static_cast<Index>(parent_.size()); }
-  // One more, which hangs together with no other.
+  // Adds a piece in a set of its own.
   Index add() {
     parent_.push_back(count());
     turned_.push_back(0);
     return count() - 1;
   }
 
-  // The piece that stands for all that hang together, and whether this one is turned against it.
+  // The representative of a piece's set, and whether the piece is turned against it.
   std::pair<Index, bool> find(Index piece) {
     Index root = piece;
     bool turned = false;
     for (; parent_[root] != root; root = parent_[root]) turned ^= turned_[root] != 0;
-    for (bool left = turned; parent_[piece] != piece;) {  // shortens the way for the next time
+    for (bool left = turned; parent_[piece] != piece;) {  // path compression
       const bool own = turned_[piece] != 0;
       turned_[piece] = left;
       left ^= own;
@@ -60,7 +60,7 @@ class Joins {
     return {root, turned};
   }
 
-  // False where the two hang together already and lie differently.
+  // False where the two are in one set already and contradict in orientation.
   bool join(Index a, Index b, bool turned) {
     const auto [root_a, turned_a] = find(a);
     const auto [root_b, turned_b] = find(b);
@@ -75,7 +75,7 @@ class Joins {
   std::vector<std::uint8_t> turned_;  // against the parent
 };
 
-// What blocks find side by side: no triangle is turned yet.
+// The pieces of all blocks, found in parallel; no triangle is turned yet.
 class Blocks {
  public:
   Blocks(const Triangulation& mesh, std::span<const std::uint8_t> selected, const Run& run)
@@ -84,13 +84,13 @@ class Blocks {
         piece_of_(mesh.triangles.size()),
         turned_(mesh.triangles.size()),
         blocks_((mesh.triangles.size() + block_size - 1) / block_size) {
-    if (blocks_.size() == 1) {  // small meshes, of which there are many, need no threads
+    if (blocks_.size() == 1) {  // small meshes need no threads
       walk(0);
     } else {
       parallel_tasks(blocks_.size(), Stage::Loops, run, [&](std::size_t b) { walk(b); });
       run.check_cancel();
     }
-    // Numbered through.
+    // Numbers the pieces of all blocks consecutively.
     start_.push_back(0);
     for (const Block& block : blocks_)
       start_.push_back(start_.back() + static_cast<Index>(block.pieces.size()));
@@ -105,11 +105,11 @@ class Blocks {
   bool turned(Index t) const { return turned_[t] != 0; }
 
  private:
-  // Of a triangle: twice the number of its part, one more where it is turned against the first there.
+  // State of a triangle: twice the number of its part, plus one where it is turned against the first there.
   using State = std::uint32_t;
   static constexpr State out = ~State{0};  // it is not selected
 
-  // What is known of the triangles of a block, and of their parts, some of which hang together.
+  // The triangles of a block and their parts, some of which are connected.
   struct Parts {
     std::array<State, block_size + 1> state;  // the last one is out
     Joins joins;
@@ -132,15 +132,15 @@ class Blocks {
     number(begin, end, parts, blocks_[b].pieces);
   }
 
-  // Joins a triangle to the parts of those beside it that came before. Hardly branches, for there is no order
-  // in which of them these are that could be guessed.
+  // Adds a triangle to the parts of its neighbours that came before. Nearly free of branches, which would be
+  // mispredicted.
   State place(Index t, std::pair<Index, Index> range, Parts& parts, std::vector<Seam>& seams) const {
     const Index begin = range.first, end = range.second;
     const Triangle x = mesh_.triangles[t];
     const std::array<Index, 3>& beside = mesh_.adjacent[t];  // of the edges opposite to its corners
     if ((beside[0] >= end) | (beside[1] >= end) | (beside[2] >= end)) find_seams(t, end, seams);
     const Triangle* triangles = mesh_.triangles.data();
-    // What the one beside it there says of this one.
+    // The state of this triangle by its neighbour across an edge.
     const auto said_by = [&](Index other, Index from, Index to) {
       const bool is_before = (other >= begin) & (other < t);
       const State there = parts.state[is_before ? other - begin : block_size];
@@ -174,7 +174,7 @@ class Blocks {
     }
   }
 
-  // Pieces are parts that hang together, numbered as their first triangles are.
+  // Pieces are connected parts, numbered by their first triangles.
   void number(Index begin, Index end, Parts& parts, std::vector<Piece>& pieces) {
     std::vector<State> state_of(parts.first.size());  // of the first triangle of each part, in its piece
     for (Index part = 0; part < parts.joins.count(); ++part) {
@@ -229,7 +229,7 @@ void walk_one_sided(const Triangulation& mesh, std::span<const std::uint8_t> sel
   }
 }
 
-// Pieces of different blocks that hang together.
+// Pieces of different blocks that are connected.
 struct Joined {
   Joins joins;
   std::vector<std::uint8_t> one_sided;  // pieces with a seam that can not agree

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Connected components of triangles, and how their triangles lie to each other.
+// Connected components of triangles, and their orientation.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +18,13 @@ struct Components {
   Index count() const { return static_cast<Index>(orientable.size()); }
 };
 
-// Numbers the components of the selected triangles, or of all where `selected` is empty. Two triangles that
-// are adjacent are in one component; the numbers ascend with the first triangles. Tells which triangles have
-// to be turned so that neighbours agree with the first of the component; where that can not be (a Moebius
-// strip) they agree as far as a walk from the first comes. Neighbours need not agree in orientation as given.
-// Blocks of triangles are walked in parallel and joined after; the result does not depend on the blocks.
+// Numbers the components of the selected triangles, or of all where `selected` is empty. Adjacent triangles
+// are in one component; components are numbered by their first triangles. Tells which triangles must be
+// turned so that neighbours agree with the first triangle of the component. On a one-sided surface (a Moebius
+// strip) they agree along the walk from the first triangle. The given orientations are arbitrary. Blocks of
+// triangles are walked in parallel and joined afterwards; the result does not depend on the blocks.
 //
-// The one walk for components: to part them elsewhere, clear `adjacent` of the mesh there.
+// All rooms use this walk. To stop it at an edge, clear `adjacent` of the mesh on both sides.
 Components find_components(const Triangulation& mesh, std::span<const std::uint8_t> selected = {},
                            const Run& run = {});
 

@@ -22,7 +22,7 @@ using Cdt =
                                                CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-// Marks what is reached from outside without crossing a loop, then what lies beyond one loop, and so on:
+// Marks the triangles reached from outside without crossing a loop, then those across one loop, and so on:
 // the surface is what an odd number of loops encloses.
 void mark_depth(Cdt& cdt) {
   for (auto f : cdt.all_face_handles()) f->info() = -1;

@@ -11,9 +11,9 @@
 namespace rimline {
 
 // Triangles inside the first loop and outside the others, counter-clockwise in uv, with every edge of the
-// loops among theirs. Points that share their place in uv with another one (never two of the loops'), and
-// points inside a hole, are on no triangle. Exact predicates. Throws NotADisc, naming points of the loops,
-// where loops cross or touch one another in uv.
+// loops. Points that coincide with another one in uv (never two of the loops'), and points inside a hole, are
+// in no triangle. Exact predicates. Throws NotADisc, naming points of the loops, where loops cross or touch
+// one another in uv.
 std::vector<Triangle> constrained_delaunay(std::span<const UV> uv, const std::vector<Loop>& loops);
 
 }  // namespace rimline

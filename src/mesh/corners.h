@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The corners of triangles, vertex by vertex: what tells a manifold without any adjacency.
+// The corners of triangles, grouped by vertex. They tell a manifold without adjacency.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ struct Corners {
   }
 };
 
-// One vertex with its edges, each with the corners it bounds.
+// The edges at one vertex, each with the corners that it bounds.
 class Vertex {
  public:
   // Calls edge(other end, triangles) for each edge, ascending by its other end. Returns into how many fans

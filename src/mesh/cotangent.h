@@ -7,7 +7,7 @@
 
 namespace rimline {
 
-// Of the angle at p between a and b; huge where they fall together.
+// The cotangent of the angle at p between a and b; huge where they coincide.
 inline double cotangent(Point p, Point a, Point b) {
   const Point e = a - p, f = b - p;
   return dot(e, f) / std::max(norm(cross(e, f)), 1e-300);

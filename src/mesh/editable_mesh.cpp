@@ -87,7 +87,7 @@ std::vector<Fan> EditableMesh::fans(Index vertex) const {
     const auto open = std::ranges::find_if(left, [&](Index t) { return open_end(t) != none; });
     Index at = open == left.end() ? left.front() : *open;
     fan.first = open_end(at);
-    // Walks away from the open edge; a fan that goes all round ends where it began.
+    // Walks from the open edge; a closed fan ends where it began.
     Index from = fan.first != none ? fan.first : triangles_[at][triangles_[at][0] == vertex ? 1 : 0];
     for (const Index start = at; at != none;) {
       fan.triangles.push_back(at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles that come and go, for mending: no orientation is asked for, so that one-sided surfaces fit in.
+// A mesh to which triangles are added and from which they are removed, for repair. It need not be orientable.
 #pragma once
 
 #include <span>
@@ -9,23 +9,22 @@
 
 namespace rimline {
 
-// The triangles of one vertex that hang together by edges, in a row.
+// A fan: consecutive triangles of one vertex, connected by edges.
 struct Fan {
   std::vector<Index> triangles;
-  Index first = none, last = none;  // the far ends of its two open edges; none where it goes all round
+  Index first = none, last = none;  // the far ends of its two open edges; none where the fan is closed
 };
 
 // Each edge has at most two triangles. The places of removed triangles stay empty.
 class EditableMesh {
  public:
-  // Of triangles with a repeated corner, that are there twice, or that would be a third at an edge, none but
-  // the first are taken.
+  // Skips triangles with a repeated corner, duplicates, and triangles that would be a third at an edge.
   EditableMesh(Points points, std::span<const Triangle> triangles);
 
   Points points() const { return points_; }
   Index vertices() const { return static_cast<Index>(stars_.size()); }
   Index places() const { return static_cast<Index>(triangles_.size()); }
-  std::size_t size() const { return size_; }  // triangles that are there
+  std::size_t size() const { return size_; }  // number of triangles
   bool has(Index t) const { return triangles_[t][0] != none; }
   const Triangle& triangle(Index t) const { return triangles_[t]; }
   std::span<const Index> star(Index vertex) const { return stars_[vertex]; }
@@ -43,8 +42,7 @@ class EditableMesh {
   bool is_at_rim(Index vertex) const;
   std::vector<Index> neighbours(Index vertex) const;  // that share an edge with it, ascending
 
-  // For each place the number of the component that hangs together by edges, from 0 in the order of the first
-  // triangles; none where no triangle is.
+  // The component of each place, numbered by first triangles; none where the place is empty.
   std::vector<Index> components() const;
   std::vector<Triangle> all() const;
 
@@ -55,9 +53,10 @@ class EditableMesh {
   std::vector<std::vector<Index>> stars_;
 };
 
-// The rims, each a closed walk along open edges, as the triangles there run. Each vertex must have one fan.
+// The rims, each a closed walk along open edges in the direction of the triangles there. Each vertex must
+// have one fan.
 std::vector<std::vector<Index>> walk_rims(const EditableMesh& mesh);
-// Those that pass the vertices given.
+// The rims that pass the given vertices.
 std::vector<std::vector<Index>> walk_rims(const EditableMesh& mesh, std::span<const Index> vertices);
 
 }  // namespace rimline

@@ -7,7 +7,7 @@
 namespace rimline {
 namespace {
 
-// A loop and what it spans, as a fan of triangles around its mean.
+// A loop and its cap, a fan of triangles around its mean.
 struct Cap {
   double area = 0;    // the least that any surface over the loop has, seen along its mean normal
   double volume = 0;  // of the cone from `about`, six times; facing out where the surface does

@@ -29,7 +29,7 @@ class Flipper {
       queue_.push_back(t);
     }
     std::size_t flips = 0;
-    // Flips in space need not end as those in the plane do; far fewer than this are ever needed.
+    // Flips in space need not terminate as those in the plane do; far fewer flips than this are ever needed.
     const std::size_t most = 50 * mesh_.triangles.size();
     for (std::size_t at = 0; at < queue_.size() && flips < most; ++at) {
       if (at % 65536 == 0) run_.check_cancel();
@@ -47,8 +47,8 @@ class Flipper {
   }
 
  private:
-  // Most triangles of a good start want no flip. All are asked at once here; the queue asks those again that
-  // did, and those that a flip has changed or has changed the neighbour of.
+  // Most triangles of a good start need no flip. All are tested in parallel here; the queue tests those again
+  // that need one, and those that were changed, or whose neighbour was, by a flip.
   void find_settled() {
     constexpr std::size_t few = 4096;  // not worth a second thread
     if (mesh_.triangles.size() < few) return;
@@ -65,7 +65,7 @@ class Flipper {
   }
 
   bool wants_flip(Index t, int c) const {
-    constexpr double tie = 1e-9;  // of the cotangents' sum: squares keep the diagonal they have
+    constexpr double tie = 1e-9;  // tolerance of the cotangents' sum: squares keep their diagonal
     const Index other = mesh_.adjacent[t][c];
     if (other == none) return false;
     const Triangle& v = mesh_.triangles[t];
@@ -92,7 +92,7 @@ class Flipper {
     return false;
   }
 
-  // Whether the two triangles along p q, in place of those along a b, would face away from each other where
+  // Whether the two triangles along p q, in place of those along a b, would face away from each other while
   // those do not.
   bool folds(Index p, Index a, Index q, Index b) const {
     const Point x = points_[p], y = points_[a], z = points_[q], w = points_[b];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edge flips by the rule of the opposite angles, in space.
+// Edge flips by the opposite-angle rule, in space.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,9 @@
 
 namespace rimline {
 
-// Flips inner edges while the two angles opposite to one sum to more than pi, unless the new edge exists
-// already, or would fold the surface: make two triangles face away from each other where those before do not.
-// Boundary edges stay. `may_join` may be empty; else a pair of vertices that it refuses gets no edge. Returns
-// the number of flips. Deterministic.
+// Flips inner edges while the two opposite angles sum to more than pi, unless the new edge exists already, or
+// would fold the surface: make two triangles face away from each other that did not. Boundary edges stay.
+// `may_join` may be empty; else it refuses edges. Returns the number of flips. Deterministic.
 std::size_t flip_edges(Points points, Triangulation& mesh, const Run& run,
                        const std::function<bool(Index, Index)>& may_join = {});
 

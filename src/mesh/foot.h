@@ -12,7 +12,7 @@ namespace rimline {
 
 struct Foot {
   double squared = std::numeric_limits<double>::infinity();
-  int corner = -1;  // it lies on the side opposite to this corner; -1: inside
+  int corner = -1;  // the side opposite to this corner has the point; -1: the interior has it
 };
 
 inline Foot foot_on(Point p, const std::array<Point, 3>& v) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points that a triangulation of the plane left out, put back in space.
+// Inserts points that a triangulation of the plane left out, in space.
 #pragma once
 
 #include "mesh/triangulation.h"
@@ -7,9 +7,9 @@
 
 namespace rimline {
 
-// Splits, for each vertex that no triangle has, the triangle with the nearest centre among those at its
-// nearest neighbours that have one. Vertices without such a neighbour wait for those that have. Returns the
-// vertices that remained without, ascending.
+// For each vertex without a triangle, splits the triangle with the nearest centre among those at its nearest
+// neighbours. Vertices whose neighbours have no triangle yet wait for them. Returns the vertices that remain
+// without, ascending.
 std::vector<Index> insert_missing(Points points, const Neighbours& neighbours, Triangulation& mesh);
 
 }  // namespace rimline

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "mesh/corners.h"
 #include "base/parallel.h"
+#include "mesh/corners.h"
 
 namespace rimline {
 namespace {
@@ -46,7 +46,7 @@ struct LoopEdges {
   bool has(Index a, Index b) const { return beside[a][0] == b || beside[a][1] == b; }
 };
 
-// Whether two triangles at a vertex run along one of its edges alike.
+// Whether two triangles at a vertex run along one of its edges in the same direction.
 bool runs_alike(std::span<const Corners::Corner> corners, std::vector<Index>& next) {
   next.clear();
   for (const Corners::Corner& c : corners) next.push_back(c.next);
@@ -54,7 +54,7 @@ bool runs_alike(std::span<const Corners::Corner> corners, std::vector<Index>& ne
   return std::ranges::adjacent_find(next) != next.end();
 }
 
-// What one thread looks at vertices with.
+// Work space of one thread.
 struct Look {
   Vertex vertex;
   std::vector<Index> next;

@@ -20,7 +20,7 @@ namespace {
 
 Point in_space(UV p) { return {p.u, p.v, 0}; }
 
-// What a slice of the vertices adds to the summary.
+// Contribution of a slice of the vertices to the summary.
 struct VertexCounts {
   std::size_t used = 0, edges = 0, boundary_edges = 0, nonmanifold_edges = 0, long_edges = 0, split = 0;
   std::vector<std::array<Index, 2>> boundary;
@@ -48,7 +48,7 @@ VertexCounts count_slice(Points points, const Corners& corners, std::span<const 
   return counts;
 }
 
-// The pieces that loose edges form.
+// The number of connected sets of boundary edges.
 std::size_t count_pieces(const std::vector<VertexCounts>& slices, std::size_t points) {
   UnionFind pieces(points);
   std::vector<char> seen(points, 0);
@@ -63,7 +63,7 @@ std::size_t count_pieces(const std::vector<VertexCounts>& slices, std::size_t po
   return vertices - joins;
 }
 
-// By how many the points used are more than the components.
+// The number of used points less the number of components.
 std::size_t count_joins(const std::vector<Triangle>& triangles, std::size_t points) {
   UnionFind components(points);
   std::size_t joins = 0;
@@ -74,7 +74,7 @@ std::size_t count_joins(const std::vector<Triangle>& triangles, std::size_t poin
   return joins;
 }
 
-// What a slice of the triangles adds to the summary.
+// Contribution of a slice of the triangles to the summary.
 struct TriangleSums {
   std::array<std::size_t, 12> min_angle_histogram{};
   double area = 0, distortion = 0;
@@ -83,7 +83,7 @@ struct TriangleSums {
 
 bool has_place(UV p) { return std::isfinite(p.u) && std::isfinite(p.v); }
 
-// Where the corners of triangles lie.
+// The positions of triangle corners in the map.
 struct Map {
   std::span<const UV> uv;  // empty: none
   const Seams& seams;
@@ -133,7 +133,7 @@ void measure_triangles(Points points, std::span<const Triangle> triangles, const
   }
   if (mapped > 0) {
     summary.mean_angle_distortion = distortion / (3.0 * static_cast<double>(mapped));
-    // A mesh that was turned to face `up` is mirrored in uv as a whole, which is no fold.
+    // A mesh that was turned to face `up` is mirrored in uv as a whole; that is no fold.
     summary.uv_flips = std::min(summary.uv_flips, mapped - summary.uv_flips);
   }
 }

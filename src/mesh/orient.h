@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles turned so that neighbours agree.
+// Makes the orientation of triangles consistent.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace rimline {
 
-// Turns triangles, of which each edge has two at most, so that neighbours run opposite ways along their edge,
-// starting from the first of each component. False where that can not be: the surface is one-sided, and
-// neighbours agree as far as the walk from the first came.
+// Turns triangles so that neighbours run along their edge in opposite directions, starting from the first of
+// each component. Each edge may have two triangles at most. Returns false for a one-sided surface; neighbours
+// then agree along the walk from the first.
 bool orient_alike(std::vector<Triangle>& triangles);
 
-// Turns each loop round that runs against the triangles at its edges.
+// Reverses each loop that runs against the triangles at its edges.
 void turn_loops_along(const std::vector<Triangle>& triangles, std::vector<Loop>& loops);
 
 }  // namespace rimline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How good a mesh's edges are, for the refinement to steer by.
+// Quality of the edges of a mesh, the objective of the refinement.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles that know their neighbours: what flips and walks work on.
+// The mesh structure: triangles with their neighbours.
 #pragma once
 
 #include <vector>
@@ -43,10 +43,10 @@ inline bool runs(const Triangle& t, Index a, Index b) {
 // Finds the neighbours. Requires consistent orientation, and at most two triangles at an edge.
 Triangulation triangulation_of(std::vector<Triangle> triangles, Index vertex_count);
 
-// The same of triangles that need not agree in orientation.
+// The same for triangles of any orientation.
 Triangulation link_triangles(std::vector<Triangle> triangles);
 
-// Splits a triangle in three at a vertex of its own. The first takes its place, the others come last.
+// Splits a triangle in three at a new vertex. The first part takes its place, the others are appended.
 void split(Triangulation& mesh, Index triangle, Index vertex);
 
 }  // namespace rimline

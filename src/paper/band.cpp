@@ -21,7 +21,7 @@ Band make_band(Points points, const Neighbours& neighbours, int path_k, const Bo
       const Index b = position(id);
       if (b == none) continue;
       const double length = distance(points[ids[a]], points[id]);
-      // A score of exactly 0 (p = 1) must not make a join free or infinitely dear.
+      // A score of exactly 0 (p = 1) must not make the cost of an edge zero or infinite.
       const double scored = std::max(1e-6, scores.log_score[ids[a]] + scores.log_score[id]);
       band.joins.push_back({std::min(a, b), std::max(a, b), length, length * length * length / scored});
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A set of points as a graph: what a chromosome looks like on the surface.
+// The neighbour graph of a set of points (the band of a chromosome).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Join {
   double length, cost;
 };
 
-// The points of a set by their position in it, joined where one is among the other's neighbours.
+// The points of a set by their index in it; two are joined where one is among the other's neighbours.
 struct Band {
   std::vector<Join> joins;
   std::vector<std::vector<Index>> joins_of;  // positions in `joins`, for each point
@@ -30,7 +30,7 @@ struct Band {
 Band make_band(Points points, const Neighbours& neighbours, int path_k, const BoundaryScores& scores,
                std::span<const Index> ids);
 
-// The cheapest ways from a root to all that hangs together with it, for each part of the band.
+// The cheapest paths from a root to all points connected to it, for each part of the band.
 struct Forest {
   std::vector<Index> parent;         // `none` for a root
   std::vector<Index> depth;          // points between it and its root
@@ -41,10 +41,10 @@ struct Forest {
 // `by_rank` names all points of the band; the first one of each part is its root.
 Forest cheapest_ways(const Band& band, std::span<const Index> by_rank);
 
-// Of every join, whether the cycle that it closes with the forest goes round something: it is no sum of
-// triangles of joins. In the terms of topology, its class in the first homology over GF(2) of the clique
-// complex of the band is not zero. Of a ring of points such cycles go around it; a cycle within a patch, or
-// within a piece of a broken ring, is none.
+// For each join, whether the cycle that it closes with the forest is essential: no sum of triangles of joins.
+// In the terms of topology, its class in the first homology over GF(2) of the clique complex of the band is
+// not zero. In a ring of points these cycles go around the ring; cycles within a patch, or within a piece of
+// a broken ring, are not essential.
 std::vector<std::uint8_t> going_round(const Band& band, const Forest& forest);
 
 }  // namespace rimline

@@ -60,7 +60,7 @@ bool fitter(const ClosedPath& a, const ClosedPath& b) {
   return a.ids < b.ids;
 }
 
-// 64 bits that tell sets of ids apart, whatever their order.
+// A 64-bit hash of a set of ids, independent of their order.
 std::uint64_t set_hash(const std::vector<Index>& ids) {
   std::uint64_t hash = ids.size();
   for (const Index id : ids) hash += Random(static_cast<std::uint64_t>(id)).next();
@@ -76,8 +76,8 @@ std::vector<Index> shuffled_candidates(const std::vector<std::uint8_t>& candidat
   return starts;
 }
 
-// The fittest distinct paths seen so far. Hashes of all paths are kept, the paths themselves are not: there
-// may be as many as candidates, each as long.
+// The fittest distinct paths so far. The hashes of all paths are kept, the paths are not: there may be as
+// many as candidates, each as long.
 class Shortlist {
  public:
   explicit Shortlist(std::size_t most) : most_(most) {}

@@ -28,7 +28,7 @@ namespace {
   throw Error(ErrorCode::NoClosedLoop, message, std::move(ids));
 }
 
-// The fittest of some chromosomes whose loop closes; false where none does.
+// Takes the fittest of some chromosomes whose loop closes; false where none does.
 bool take_fittest(const std::vector<ClosedPath>& chromosomes, LoopSource source, Points points,
                   const Neighbours& neighbours, const BoundaryScores& scores, const LoopOptions& options,
                   GeneticLoop& result) {
@@ -60,7 +60,7 @@ GeneticLoop breed_loop(Points points, const Neighbours& neighbours, const Bounda
   search.bound_hit = paths.bound_hit;
   search.history = std::move(evolution.history);
   result.history = std::move(evolution.best);
-  // Crossover can break a path.
+  // Crossover can break a closed path.
   if (!take_fittest(evolution.fittest, LoopSource::Fittest, points, neighbours, scores, options, result) &&
       !take_fittest(paths.best, LoopSource::InitialPath, points, neighbours, scores, options, result)) {
     throw_no_path(scores, paths);
@@ -69,7 +69,7 @@ GeneticLoop breed_loop(Points points, const Neighbours& neighbours, const Bounda
   search.winner_fitness = fitness(result.winner, scores, options);
   result.loop.length = loop_length(points, result.loop.points);
   result.loop.fitness = fitness(result.loop.points, scores, options);
-  result.loop.probability = std::numeric_limits<double>::quiet_NaN();  // the paper has none
+  result.loop.probability = std::numeric_limits<double>::quiet_NaN();  // the paper defines none
   return result;
 }
 

@@ -39,7 +39,7 @@ struct Member {
   double log_fitness;
 };
 
-// Picks members with a chance in proportion to their fitness. Logarithms are taken relative to the best, so
+// Selects members with probability proportional to their fitness. Logarithms are relative to the best, so
 // that the printed score of eq. (2) can not overflow.
 class Roulette {
  public:
@@ -59,7 +59,7 @@ class Roulette {
   std::vector<double> cumulative_;
 };
 
-// Number of bits to skip until the next mutation: the geometric law, so that no bit is looked at in vain.
+// Number of bits until the next mutation, by the geometric distribution: unchanged bits are skipped.
 std::size_t mutation_gap(double probability, Random& random) {
   if (probability >= 1) return 0;
   const double gap = std::floor(std::log(1 - random.uniform()) / std::log1p(-probability));
@@ -81,7 +81,7 @@ std::vector<Member> next_population(const std::vector<Member>& members, std::siz
   const Roulette roulette(members);
   std::vector<Member> next;
   for (std::size_t i = 0; i < members.size(); ++i) next.push_back(members[roulette.spin(random)]);
-  // What selection returns is in random order already: neighbours in it are random pairs.
+  // The selected members are in random order: consecutive ones are random pairs.
   for (std::size_t i = 0; i + 1 < next.size(); i += 2) {
     Chromosome::exchange_tails(next[i].chromosome, next[i + 1].chromosome, random.below(length));
   }
@@ -91,7 +91,7 @@ std::vector<Member> next_population(const std::vector<Member>& members, std::siz
 
 double saturated_exp(double x) { return std::min(std::exp(x), std::numeric_limits<double>::max()); }
 
-// Tells of a generation; of equal ones the first is the best.
+// Reports a generation; the first of equal ones is the best.
 void record(const std::vector<Member>& members, Evolution& result) {
   const auto best = std::max_element(members.begin(), members.end(), [](const Member& a, const Member& b) {
     return a.log_fitness < b.log_fitness;
@@ -104,7 +104,7 @@ void record(const std::vector<Member>& members, Evolution& result) {
   result.best.add({generation, saturated_exp(best->log_fitness), best->chromosome.ids()});
 }
 
-// Puts the members among the fittest where they belong and are new.
+// Inserts new members among the fittest.
 void keep_fittest(std::vector<ClosedPath>& fittest, const std::vector<Member>& members, std::size_t most) {
   const auto fitter = [](const ClosedPath& a, const ClosedPath& b) {
     return a.log_fitness != b.log_fitness ? a.log_fitness > b.log_fitness : a.ids < b.ids;

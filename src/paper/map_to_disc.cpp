@@ -26,7 +26,7 @@ namespace {
 struct System {
   RowMatrix matrix;
   std::vector<double> weight_sum;
-  std::vector<UV> right;        // the loop's share of each combination, of rows as eq. (4) has them
+  std::vector<UV> right;        // the loop's contribution to each combination, for rows as in eq. (4)
   std::vector<Index> interior;  // point of each unknown
 };
 
@@ -69,13 +69,13 @@ System assemble(Points points, const Neighbours& neighbours, int k, const std::v
   return system;
 }
 
-// u and v of all unknowns, and how well they solve the system.
+// u and v of all unknowns, and the residual.
 struct Solution {
   std::vector<UV> uv;
   MapSummary summary;
 };
 
-// The fast way.
+// The iterative solver.
 Solution solve_iteratively(const System& system, double residual, const Run& run) {
   constexpr int most_iterations = 500;
   run.progress(Stage::Parameterize, 0, 0);
@@ -89,7 +89,7 @@ Solution solve_iteratively(const System& system, double residual, const Run& run
   return s;
 }
 
-// The sure way, for systems it can hold, with one step of iterative refinement.
+// The direct solver, for systems that fit in memory, with one step of iterative refinement.
 Solution solve_directly(const System& system, const Run& run) {
   run.progress(Stage::Parameterize, 0, 2);
   const RowMatrix& rows = system.matrix;

@@ -28,7 +28,7 @@ std::vector<Index> cycle_of(const Forest& forest, const Join& join, std::span<co
   return up;
 }
 
-// Positions in the set, the highest score first.
+// Indices in the set, by falling score.
 std::vector<Index> by_score(const BoundaryScores& scores, std::span<const Index> ids) {
   std::vector<Index> positions(ids.size());
   std::iota(positions.begin(), positions.end(), 0);
@@ -37,13 +37,13 @@ std::vector<Index> by_score(const BoundaryScores& scores, std::span<const Index>
   return positions;
 }
 
-// A cycle of the band: one join, and the ways of the forest between its ends.
+// A cycle of the band: one join, and the paths of the forest to its ends.
 struct Cycle {
   Index join;
   double length, cost;
 };
 
-// All that go round something, or else all.
+// All essential cycles, or all cycles where none is essential.
 std::vector<Cycle> cycles_of(const Band& band, const Forest& forest, bool round) {
   const std::vector<std::uint8_t> goes_round =
       round ? going_round(band, forest) : std::vector<std::uint8_t>{};

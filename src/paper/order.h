@@ -13,17 +13,16 @@ namespace rimline {
 
 struct OrderedLoop {
   std::vector<Index> points;  // a simple closed polyline; empty where the set has no cycle
-  // The band of the set: the loop is no sum of triangles of it (going_round() in paper/band.h), and two
-  // thirds of the points of the set are on it or joined to it.
+  // Whether the loop is essential in the band of the set (going_round() in paper/band.h), and two thirds of
+  // the points of the set are on it or joined to it.
   bool goes_round = false;
 };
 
-// Some of the points `ids` (ascending) in order.
+// Orders some of the points `ids` (ascending) as a loop.
 //
-// The winner is a band two or three points wide. Its points are joined to their neighbours. The cheapest ways
-// from the highest score, plus one join that is on none of them, are a simple cycle. Of those that are no sum
-// of triangles (where there are none, of all) and that are at least half as long as the longest of them, the
-// cheapest is the loop.
+// The winner is a band two or three points wide. Its points are joined to their neighbours. The cheapest
+// paths from the point of highest score, plus one join, form simple cycles. Among the essential ones (among
+// all where there are none) that are at least half as long as the longest, the cheapest is the loop.
 OrderedLoop order_loop(Points points, const Neighbours& neighbours, int path_k, const BoundaryScores& scores,
                        std::span<const Index> ids);
 

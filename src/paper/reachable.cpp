@@ -4,7 +4,7 @@
 namespace rimline {
 namespace {
 
-// For each point, the points that have it in their list: the lists, turned round.
+// The reversed lists: for each point the points that have it in their list.
 struct ReverseLists {
   std::vector<std::size_t> first;
   std::vector<Index> ids;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether eq. (4) has one solution.
+// Points for which eq. (4) is singular.
 #pragma once
 
 #include <span>

@@ -7,8 +7,7 @@
 
 namespace rimline {
 
-// What find_genetic_loop() does once the paths are found; they are the ones of `scores` and `options`, at
-// least one.
+// The second half of find_genetic_loop(): `paths`, at least one, must belong to `scores` and `options`.
 GeneticLoop breed_loop(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                        const ClosedPaths& paths, const LoopOptions& options, const Run& run);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles over a rim that is no boundary.
+// Closes a rim that is not a boundary.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace rimline {
 
-// Closes a rim, given as walk_rims() does, with the least area. False, and the mesh as it was, where every
-// way would make an edge that the mesh has, and for rims of more than 200 points, which take too long.
+// Closes a rim, given as walk_rims() returns it, with the least area. Returns false, and leaves the mesh
+// unchanged, where every triangulation would repeat an edge of the mesh, and for rims of more than 200
+// points, which would take too long.
 bool close_gap(EditableMesh& mesh, const std::vector<Index>& rim);
 
 }  // namespace rimline

@@ -30,7 +30,7 @@ void place_on_circle(Points points, const std::vector<Index>& loop, UV centre, d
 
 double distance(UV a, UV b) { return std::hypot(a.u - b.u, a.v - b.v); }
 
-// How deep inside a convex polygon a point lies: the distance to the nearest side's line.
+// The depth of a point inside a convex polygon: the distance to the nearest side's line.
 double depth_inside(UV point, const std::vector<Index>& polygon, const std::vector<UV>& uv) {
   double depth = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -40,8 +40,8 @@ double depth_inside(UV point, const std::vector<Index>& polygon, const std::vect
   return depth;
 }
 
-// Puts the rims of holes on small circles that can not meet, each about the centre that `uv` gives it and
-// turned as its first point lies.
+// Places the rims of holes on small disjoint circles, each about the centre that `uv` gives it, rotated to
+// the position of its first point.
 void hold_rims_apart(Points points, const std::vector<Loop>& loops, std::vector<UV>& uv) {
   const std::vector<UV> centres(uv.begin() + static_cast<std::ptrdiff_t>(points.size()), uv.end());
   for (std::size_t h = 0; h < centres.size(); ++h) {
@@ -71,7 +71,7 @@ Graph neighbour_graph(const Neighbours& neighbours, const Stars& stars, const st
   return make_graph(nodes, edges);
 }
 
-// Nothing where rims cross in uv.
+// None where rims cross in uv.
 std::optional<Triangulation> try_in_plane(Points points, const Neighbours& neighbours,
                                           const std::vector<Loop>& loops, const std::vector<UV>& uv) {
   try {
@@ -107,7 +107,8 @@ Triangulation first_mesh(Points points, const Neighbours& neighbours, const Star
   for (const Index i : loops.front().points) fixed[i] = 1;
   const Graph graph = neighbour_graph(neighbours, stars, loops, fixed);
   solve_map(graph, fixed, rough, uv, run);
-  // The map knows neighbours only, and rims may cross in it: then once more, the rims held apart.
+  // The map depends on neighbours only, so that rims may cross in it. Then it is made again with the rims
+  // held apart.
   if (auto mesh = try_in_plane(points, neighbours, loops, uv)) return std::move(*mesh);
   hold_rims_apart(points, loops, uv);
   for (std::size_t h = 1; h < loops.size(); ++h) {

@@ -18,8 +18,8 @@ constexpr std::size_t narrow_band = 2;    // edges across, from rim to rim
 constexpr std::size_t widest_band = 3;    // likewise, where few triangles go with it
 constexpr std::size_t least_budget = 24;  // triangles that a repair may take out of a small component
 
-// Curves through one vertex of each handle, short ones looked for from their own vertices again.
-// `left`: how many more trees may be grown.
+// Curves through one vertex of each handle; short ones are searched again from their own vertices. `left`:
+// the remaining number of trees.
 std::vector<std::vector<Index>> short_curves(const Capped& surface, const std::vector<Index>& vertices,
                                              std::size_t& left) {
   std::set<std::vector<Index>> found;
@@ -57,13 +57,13 @@ HandleRepair describe(const EditableMesh& mesh, const Curve& curve, const Change
   return repair;
 }
 
-// A component, and how much may be done to it.
+// A component, and the remaining budget of its repair.
 struct Budget {
-  std::size_t triangles;  // that a repair may take away
+  std::size_t triangles;  // triangles that a repair may remove
   std::size_t
       hundredth;      // of the component's triangles: as many across bands that a strip may have all along
-  std::size_t trees;  // that may still be grown over all of it, so that no surface takes long
-  std::size_t looks;  // that may still be taken at vicinities
+  std::size_t trees;  // remaining trees over the whole component, so that no surface takes long
+  std::size_t looks;  // remaining searches of vicinities
 };
 
 // Cuts along the curve, where it is short enough and that can be done.
@@ -79,7 +79,7 @@ bool mend(EditableMesh& mesh, const Curve& curve, const Budget& budget, Rims& ri
 
 using Curves = std::vector<std::vector<Index>>;
 
-// Cuts along the first of the curves that serves.
+// Cuts along the first curve for which that succeeds.
 bool mend_by_any(EditableMesh& mesh, const Curves& curves, bool are_closed, const Budget& budget, Rims& rims,
                  std::vector<HandleRepair>& repairs) {
   return std::ranges::any_of(curves, [&](const std::vector<Index>& curve) {
@@ -87,7 +87,7 @@ bool mend_by_any(EditableMesh& mesh, const Curves& curves, bool are_closed, cons
   });
 }
 
-// Mends what is small all round, near the vertices.
+// Repairs small handles, near the vertices.
 bool mend_near(EditableMesh& mesh, const std::vector<Index>& vertices, Budget& budget, Rims& rims,
                std::vector<HandleRepair>& repairs, const Run& run) {
   constexpr int width = 5;  // edges
@@ -106,7 +106,7 @@ bool mend_near(EditableMesh& mesh, const std::vector<Index>& vertices, Budget& b
   return mended;
 }
 
-// Mends one handle that is thin but long.
+// Repairs one handle that is thin but long.
 bool mend_far(EditableMesh& mesh, const std::vector<Index>& part, const std::vector<Index>& vertices,
               Budget& budget, Rims& rims, std::vector<HandleRepair>& repairs) {
   for (const Rim& rim : walk_rims(mesh, part)) {
@@ -155,7 +155,7 @@ bool is_simple(const Part& part, const std::vector<Rim>& rims) {
   return part.vertices.size() + part.triangles + rims.size() == edges + 2;
 }
 
-// Mends a component, as long as anything is found.
+// Repairs a component until nothing is found.
 void repair_part(EditableMesh& mesh, const Part& part, std::vector<HandleRepair>& repairs, const Run& run) {
   constexpr std::size_t work = 2'000'000, looks = 5000;  // triangles looked at, vicinities
   const std::vector<Rim> before = walk_rims(mesh, part.vertices);
@@ -168,7 +168,7 @@ void repair_part(EditableMesh& mesh, const Part& part, std::vector<HandleRepair>
     const auto first = std::ranges::find_if(part.vertices, [&](Index v) { return !mesh.star(v).empty(); });
     if (first == part.vertices.end()) return;
     const std::vector<Index> vertices = curve_vertices(mesh, rims, *first, budget);
-    if (vertices.empty() || vertices.size() >= left) return;  // there must be fewer each time
+    if (vertices.empty() || vertices.size() >= left) return;  // the number must fall in each round
     left = vertices.size();
     if (!mend_near(mesh, vertices, budget, rims, repairs, run) &&
         !mend_far(mesh, part.vertices, vertices, budget, rims, repairs))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points on the surface that no triangle has.
+// Inserts points on the surface that are in no triangle.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace rimline {
 
-// Splits, for each vertex that no triangle has, the triangle of its neighbours' that it lies over, where it
-// lies within `farthest` spacings of it. Those beside the surface, or farther off, stay out.
+// For each vertex without a triangle, splits the triangle of its neighbours below it, if it is within
+// `farthest` spacings of it. Vertices beside the surface, or farther away, stay out.
 void insert_near(EditableMesh& mesh, const Neighbours& neighbours, std::span<const double> spacing);
 
 }  // namespace rimline

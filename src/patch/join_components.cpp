@@ -53,7 +53,7 @@ void append_loops(const Component& component, Surface& surface) {
   }
 }
 
-// Adds the component last reported.
+// Appends the mesh of the component reported last.
 void append(const Component& component, Surface& surface) {
   const Patch& patch = component.patch;
   const Index at = static_cast<Index>(surface.patches.size()) - 1;

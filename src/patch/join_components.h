@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Components that were meshed one by one, as one surface.
+// Joins components that were meshed one by one into one surface.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace rimline {
 
-// Puts the components together, in their order, in ids of the whole's `points`; their maps side by side. A
-// map that turns triangles over is none.
+// Joins the components, in their order, with ids of the whole's `points`; their maps are placed side by side.
+// A map with flipped triangles is dropped.
 Surface join_components(std::size_t points, std::vector<Component> components, const RefineOptions& options);
 
 }  // namespace rimline

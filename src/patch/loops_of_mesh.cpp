@@ -7,7 +7,7 @@
 namespace rimline {
 namespace {
 
-// The loops that pass each point.
+// The loops through each point.
 std::vector<std::vector<Index>> loops_at(const std::vector<Loop>& loops, std::size_t points) {
   std::vector<std::vector<Index>> at(points);
   for (Index l = 0; l < static_cast<Index>(loops.size()); ++l) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which rims of a mesh are the boundary, and which are gaps between samples.
+// Tells the rims of a mesh that are boundaries from gaps between samples.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace rimline {
 
-// A rim, with the loop that was found along it.
+// A rim and the loop found along it.
 struct MatchedRim {
   std::vector<Index> points;
   Index loop = none;     // the loop that has most of its points, or none

@@ -17,7 +17,7 @@
 namespace rimline {
 namespace {
 
-constexpr std::size_t scrap = 10;  // triangles: fewer are no part beside larger ones
+constexpr std::size_t scrap = 10;  // triangles: components with fewer are dropped beside larger ones
 
 std::vector<std::size_t> sizes_of(const std::vector<Index>& component) {
   std::vector<std::size_t> sizes;
@@ -59,8 +59,8 @@ std::vector<PartRims> part_rims(const EditableMesh& mesh, const std::vector<Matc
   return parts;
 }
 
-// A part that no loop bounds is closed but for gaps, or ends at its longest rim: that of an open sheet of V
-// points has 3.5 sqrt(V) of them or more, and half as many are taken for a gap still.
+// A component without a loop is closed except for gaps, or ends at its longest rim: the rim of an open sheet
+// of V points has at least 3.5 sqrt(V) of them, and up to half as many are taken for a gap.
 void settle_boundary(const EditableMesh& mesh, const PartRims& part, std::vector<MatchedRim>& rims) {
   constexpr double open = 1.75;
   if (part.rims.empty() || std::ranges::any_of(part.rims, [&](std::size_t r) { return rims[r].is_open; }))
@@ -82,7 +82,7 @@ std::vector<MatchedRim> close_gaps(EditableMesh& mesh, const std::vector<Loop>& 
   return rims;
 }
 
-// The loop of a rim, with what is known of the one that was found along it.
+// The loop of a rim, with the properties of the loop found along it.
 Loop loop_of(const EditableMesh& mesh, MatchedRim rim, const std::vector<Loop>& loops) {
   Loop loop;
   loop.kind = LoopKind::Hole;
@@ -92,7 +92,7 @@ Loop loop_of(const EditableMesh& mesh, MatchedRim rim, const std::vector<Loop>& 
   return loop;
 }
 
-// One outer loop, the first: that which was found as one, or the longest.
+// One outer loop, the first: the one found as outer, or the longest.
 void put_outer_first(std::vector<Loop>& loops) {
   if (loops.empty()) return;
   const auto outer = std::ranges::max_element(loops, [](const Loop& a, const Loop& b) {
@@ -112,7 +112,7 @@ long long missing_euler(const MendedPart& part, std::size_t vertices) {
          static_cast<long long>(part.loops.size());
 }
 
-// A point in a triangle that is on the curve of a repair, or near it; none where there is none.
+// A point in a triangle at the curve of a repair, or near it; none where there is none.
 Index beside(const EditableMesh& mesh, const Neighbours& neighbours, const HandleRepair& repair) {
   const auto used = [&](Index v) { return !mesh.star(v).empty(); };
   const auto on = std::ranges::find_if(repair.points, used);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A manifold of any topology, made of the triangles that the loops were found on.
+// Makes a manifold of any topology from the triangles that the loops were found on.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ namespace rimline {
 
 // One component of the surface.
 struct MendedPart {
-  std::vector<Triangle> triangles;  // oriented alike where it can be
+  std::vector<Triangle> triangles;  // consistently oriented where that is possible
   std::vector<Loop> loops;          // its rims, the outer one first; none where it is closed
   bool orientable = true;
   int genus = 0;  // handles; of a one-sided surface the number of cross-caps
@@ -30,10 +30,10 @@ struct MendInput {
   const std::vector<Loop>& loops;
 };
 
-// Each edge gets at most two triangles, each vertex one fan. Rims that no loop runs along are gaps and are
-// closed where that makes no edge twice; a part without a loop is closed all round where little is missing,
-// and ends at its rims elsewhere. Points that lie over a triangle are put into it. Scraps of few triangles
-// are left out beside larger parts.
+// Each edge gets at most two triangles, each vertex one fan. Rims without a loop are gaps and are closed
+// where that repeats no edge; a component without a loop is closed completely where little is missing, and
+// otherwise ends at its rims. Points above a triangle are inserted. Components of few triangles are dropped
+// beside larger ones.
 std::vector<MendedPart> mend_surface(const MendInput& input, HandlePolicy handles, const Run& run);
 
 }  // namespace rimline

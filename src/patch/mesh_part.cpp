@@ -14,12 +14,12 @@
 namespace rimline {
 namespace {
 
-// Points of the whole with lists of neighbours among themselves.
+// A subset of the points with neighbours among themselves.
 struct Local {
   std::vector<Point> points;
-  std::vector<double> spacing;          // that of the whole: a part of it may be a scrap with none of its own
-  std::optional<Neighbours> own_lists;  // none where it is the whole
-  RefineOptions options;                // with corners in its ids
+  std::vector<double> spacing;          // of the whole: a small part may have none of its own
+  std::optional<Neighbours> own_lists;  // none where the part is the whole
+  RefineOptions options;                // with corners in ids of the part
 
   const Neighbours& neighbours(const Whole& whole) const { return own_lists ? *own_lists : whole.neighbours; }
 };
@@ -71,7 +71,7 @@ bool is_suspect(const Patch& patch, const RefineOptions& options) {
              options.suspect_share * 1.5 * static_cast<double>(patch.triangles.size());
 }
 
-// Nothing where the part is no disc with holes, or where what a map makes of it is no mesh.
+// None where the part is no disc with holes, or where its map gives no valid mesh.
 std::optional<Component> mesh_as_disc(const Whole& whole, const Local& local, const PatchInput& part,
                                       std::optional<Triangulation> first, const Run& run) {
   Component component{part.points, part.outline.loops, {}, true, 0, {}, ""};
@@ -92,9 +92,9 @@ std::size_t bad_edges(const Component& component) {
   return component.patch.rounds.empty() ? 0 : component.patch.rounds.back().bad_edges;
 }
 
-// Whether the disc tells the surface as well as what the triangles make of it. Over a handle that is none of
-// noise, and over a strip that is one-sided, a disc lies in folds: with more bad edges for each than noise
-// has. A handle that was mended counts as one that is there: it cost triangles, which the disc has.
+// Whether the disc represents the surface as well as the mended triangles. Over a true handle, and over a
+// one-sided strip, a disc is folded: it has more bad edges for each than noise causes. A mended handle counts
+// like one that is there, because the disc keeps the triangles that the repair removed.
 bool is_better(const Component& disc, const std::vector<Component>& components) {
   constexpr std::size_t by_noise = 8;  // bad edges for each half of a handle
   if (components.empty()) return true;
@@ -105,7 +105,8 @@ bool is_better(const Component& disc, const std::vector<Component>& components) 
     points += c.points.size();
     largest = std::max(largest, c.points.size());
   }
-  return bad_edges(disc) <= allowed + (points - largest);  // of pieces that gaps part from the largest
+  return bad_edges(disc) <=
+         allowed + (points - largest);  // points of pieces that gaps separate from the largest
 }
 
 // Whether the triangles make one disc with as many loops.
@@ -114,7 +115,7 @@ bool is_disc_of(const std::vector<MendedPart>& mended, std::size_t loops) {
          mended[0].loops.size() == loops;
 }
 
-// A mended component on its own, in ids of the whole.
+// A mended component alone, in ids of the whole.
 struct Alone {
   Component component;
   std::vector<Triangle> triangles;
@@ -193,7 +194,7 @@ std::vector<Component> mesh_any(const Whole& whole, const PatchInput& part, cons
 
 std::vector<Component> mesh_part(const Whole& whole, const PatchInput& part, const PartTriangles& survey,
                                  const RefineOptions& options, const Run& run) {
-  Arena arena(run);  // all that runs in parallel below keeps to the run's threads
+  Arena arena(run);  // limits the parallel work below to the run's threads
   return arena.execute([&] { return mesh_any(whole, part, survey, options, run); });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Some points of a surface with the loops that bound them, meshed on their own.
+// Meshes a subset of the points of a surface with the loops that bound it.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace rimline {
 
-// One component as it came out, or why it did not.
+// One component, or the reason why it was not meshed.
 struct Component {
   std::vector<Index> points;  // the id of each in the whole, ascending
   std::vector<Loop> loops;    // of the mesh, the outer one first, in ids of its own
@@ -22,7 +22,7 @@ struct Component {
   std::string failure;                // empty where it was meshed
 };
 
-// The whole that parts are taken from.
+// The whole surface that parts are taken from.
 struct Whole {
   Points points;
   const Neighbours& neighbours;
@@ -34,10 +34,9 @@ struct PartTriangles {
   bool end_at_loops;                       // whether the loops were found on them
 };
 
-// Meshes a part: as a disc with holes over all of its points where it is one, else each of its components as
-// the manifold that its triangles make. Every component is a manifold that
-// ends at its loops, or has a failure. options.corners are ids of the whole; throws BadOption where they are
-// on several parts.
+// Meshes a part: as a disc with holes over all of its points where it is one, otherwise each of its
+// components as the manifold that its triangles make. Every component is a manifold that ends at its loops,
+// or has a failure. options.corners are ids of the whole; throws BadOption where they are on several parts.
 std::vector<Component> mesh_part(const Whole& whole, const PatchInput& part, const PartTriangles& survey,
                                  const RefineOptions& options, const Run& run);
 

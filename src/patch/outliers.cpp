@@ -12,7 +12,7 @@
 namespace rimline {
 namespace {
 
-// The triangles that are edge-connected with one at a loop. Scraps that touch the rim in a point alone are
+// The triangles that are edge-connected to one at a loop. Triangles that touch the rim in a point alone are
 // left out.
 std::vector<Triangle> sheet_at(const std::vector<Index>& loop_next, const std::vector<Triangle>& triangles) {
   const Triangulation mesh = triangulation_of(triangles, static_cast<Index>(loop_next.size()));
@@ -60,7 +60,7 @@ class Finder {
  private:
   static constexpr int looked_at = 12;  // neighbours: two rings of them
 
-  // The triangles of all points that are near a loose one.
+  // Gathers the triangles of all points near a loose one.
   void gather(const Neighbours& neighbours) {
     for (const Index v : loose_) {
       for (const Index near : neighbours.of(v, std::min(neighbours.k, looked_at))) stars_[near];

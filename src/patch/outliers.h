@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outliers: points that no mesh that ends at the loops can have without overlapping itself.
+// Outliers: points that no mesh that ends at the loops can contain without overlapping itself.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace rimline {
 
-// Points, ascending, that are on no triangle and on no loop, and whose nearest place on the triangles of
-// their neighbours lies on an edge of a loop, or whose neighbours have no triangle. Those in gaps that are no
-// loop are not among them.
+// Points, ascending, in no triangle and on no loop, whose nearest position on the triangles of their
+// neighbours lies on an edge of a loop, or whose neighbours have no triangle. Points in gaps that are no loop
+// are not outliers.
 std::vector<Index> points_beside(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                                  const std::vector<Triangle>& triangles);
 

@@ -43,8 +43,8 @@ void join_mutual(const Stars& stars, const std::vector<Index>& loop_of, UnionFin
   }
 }
 
-// Parts that close upon themselves: a closed surface of V points has 2 V triangles, an open one, with a rim
-// of 3.5 sqrt(V) points or more, as many fewer. Gaps may take half of that.
+// Closed parts: a closed surface of V points has 2 V triangles, an open one has fewer by the points of its
+// rim, at least 3.5 sqrt(V). Gaps may account for half of that.
 std::vector<Index> closed_parts(const std::vector<Triangle>& triangles, const std::vector<Index>& loop_of,
                                 UnionFind& parts) {
   constexpr double gaps = 1.75;
@@ -58,7 +58,7 @@ std::vector<Index> closed_parts(const std::vector<Triangle>& triangles, const st
   return found;
 }
 
-// By the first of each part: those with a loop, and those that close upon themselves.
+// By the first point of each part: those with a loop, and closed ones.
 std::vector<char> bounded_parts(const std::vector<Index>& loop_of, const std::vector<Loop>& loops,
                                 const std::vector<Triangle>& triangles, UnionFind& parts) {
   const Index n = static_cast<Index>(loop_of.size());
@@ -81,8 +81,8 @@ bool any_loose(const std::vector<Index>& loop_of, const std::vector<Loop>& loops
   return false;
 }
 
-// Points connected to no loop whose cells name, or are named by, points that are. Where
-// `within` is given, all that belong together by it.
+// Joins points that are connected to no loop to points that are, where the cell of one names the other. Where
+// `within` is given, its sets are joined as a whole.
 void join_one_sided(const Stars& stars, const std::vector<Index>& loop_of, const std::vector<Loop>& loops,
                     const std::vector<Triangle>& triangles, UnionFind* within, UnionFind& parts) {
   const Index n = static_cast<Index>(loop_of.size());
@@ -95,7 +95,7 @@ void join_one_sided(const Stars& stars, const std::vector<Index>& loop_of, const
         if (j == none || loop_of[j] == shared) continue;
         const Index a = parts.find(i), b = parts.find(j);
         if (bounded[a] == bounded[b]) continue;
-        // A part as large as what it would join is a surface of its own.
+        // A part as large as the one that it would join is a surface of its own.
         const Index loose = bounded[a] ? b : a, firm = bounded[a] ? a : b;
         const bool together = within != nullptr ? within->find(i) == within->find(j)
                                                 : 2 * parts.size_of(loose) <= parts.size_of(firm);
@@ -201,7 +201,7 @@ void join_by_sheets(const std::vector<Triangle>& triangles, const std::vector<Lo
   }
 }
 
-// Gives the loops' points ids of the patch: a point that they pass again gets a copy.
+// Translates the loops' points to ids of the patch: a point that they visit again gets a copy.
 void make_local(const Separated& whole, Index point_count, PatchInput& patch) {
   std::map<Index, char> passed;
   for (Loop& loop : patch.outline.loops) {

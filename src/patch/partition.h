@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which points and loops make one patch.
+// Partitions points and loops into patches.
 #pragma once
 
 #include <functional>
@@ -19,8 +19,8 @@ struct PatchInput {
 };
 
 struct Partition {
-  std::vector<PatchInput> patches;  // by the first of their loops
-  std::vector<Index> left_out;      // points that hang together with no loop, ascending
+  std::vector<PatchInput> patches;  // in the order of their first loops
+  std::vector<Index> left_out;      // points connected to no loop, ascending
 };
 
 // Connected components. A triangle of `surface` joins its points. Without triangles, two points are joined if
@@ -30,7 +30,7 @@ struct Partition {
 Partition partition(Index points, const std::function<const Stars&()>& stars, const std::vector<Loop>& loops,
                     const std::vector<Triangle>& surface);
 
-// Takes points, ascending and on no loop, out of the patches.
+// Removes points, ascending and on no loop, from the patches.
 void leave_out(const std::vector<Index>& points, Partition& parts);
 
 }  // namespace rimline

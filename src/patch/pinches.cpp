@@ -10,7 +10,7 @@ namespace {
 
 // One visit of a loop to a point.
 struct Pass {
-  Index point, loop, next;  // next: the pass after it
+  Index point, loop, next;  // next: the following visit
 };
 
 std::vector<Pass> passes_of(const std::vector<Loop>& loops) {
@@ -27,7 +27,7 @@ std::vector<Pass> passes_of(const std::vector<Loop>& loops) {
 Separated separate_pinches(const std::vector<Loop>& loops, Index point_count) {
   Separated result;
   std::vector<Pass> passes = passes_of(loops);
-  std::vector<Index> last(point_count, none);  // pass at each point
+  std::vector<Index> last(point_count, none);  // visit of each point
   for (Index p = 0; p < static_cast<Index>(passes.size()); ++p) {
     const Index v = passes[p].point, before = std::exchange(last[v], p);
     if (before == none) continue;

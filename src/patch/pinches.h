@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loops that touch in a point: taken apart there for the work, put together again in the result.
+// Separates loops that touch in a point, for the meshing; the result joins them again.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace rimline {
 
-// Where two loops share a point, the surface has two separate wedges there, and its true outline runs from
-// one loop over into the other (from outer loop to outer loop it stays: two parts touch in a tip). Each pass
-// but the first gets a copy of the point, so that the loops become simple and disjoint.
+// Where two loops share a point, the surface has two separate wedges there, and its true outline continues
+// from one loop to the other (from an outer loop to itself where two parts touch in a tip). Each visit but
+// the first gets a copy of the point, so that the loops become simple and disjoint.
 struct Separated {
   std::vector<Loop> loops;      // in the order of their first pass; lengths are not kept
   std::vector<Index> original;  // of copy point_count + i

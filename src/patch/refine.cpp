@@ -21,7 +21,7 @@ namespace {
 
 // A disc drawn over a handle or a one-sided strip has at least one bad edge for each point around it.
 void check_topology(Points points, const Stars& stars) {
-  constexpr double enough = 0.5;  // of the points, for the verdict to count
+  constexpr double enough = 0.5;  // share of the points below which the topology is unknown
   const Topology topology = find_topology(points, stars);
   if (topology.coverage < enough) return;
   if (!topology.orientable) throw Error(ErrorCode::NotADisc, "the surface is one-sided (not orientable)");
@@ -43,7 +43,7 @@ Triangulation first_of_stars(Points points, const Neighbours& neighbours, const 
   return mesh;
 }
 
-// The mesh of shortest edges, and the last map on the way to it.
+// The mesh of least edge length, and the last map on the way to it.
 struct Refined {
   Triangulation mesh;
   std::vector<UV> uv;
@@ -53,8 +53,8 @@ struct Refined {
 Refined refine_rounds(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                       Triangulation mesh, std::vector<UV> uv, int most_rounds, const Run& run) {
   constexpr double rough = 1e-6;     // residual of the maps that only lead to the next mesh
-  constexpr double progress = 1e-5;  // of the length: less is none
-  // Bad edges in so small a share do not pay for one more round.
+  constexpr double progress = 1e-5;  // relative decrease of the length: less is no progress
+  // So small a share of bad edges does not justify another round.
   const std::size_t tolerated = 18 * points.size() / 10000;  // 0.06 % of the edges
   const std::vector<double> spacing = local_spacing(points, neighbours);
   Refined best;
@@ -64,7 +64,7 @@ Refined refine_rounds(Points points, const Neighbours& neighbours, const std::ve
     const std::size_t flips = flip_edges(points, mesh, run);
     const EdgeQuality quality = edge_quality(points, mesh, spacing, run);
     best.rounds.push_back({flips, quality.bad, quality.length});
-    // Of two meshes over the same points the one of shorter edges is better.
+    // Of two meshes over the same points the one with less edge length is better.
     const bool better = quality.length < least * (1 - progress);
     if (better) {
       least = quality.length;
@@ -83,7 +83,7 @@ Refined refine_rounds(Points points, const Neighbours& neighbours, const std::ve
   return best;
 }
 
-// A mesh whose holes are closed as the options say.
+// A mesh whose holes are filled as the options say.
 struct Filled {
   std::vector<Point> points;
   Triangulation mesh;
@@ -122,12 +122,12 @@ Patch map_patch(Points points, Triangulation mesh, const std::vector<Loop>& loop
 
 Patch fill_and_map(Points points, const Neighbours& neighbours, Refined refined, std::vector<Loop> loops,
                    const RefineOptions& options, const Run& run) {
-  turn_loops_along(refined.mesh.triangles, loops);  // those made by hand run either way
+  turn_loops_along(refined.mesh.triangles, loops);  // given loops may have either direction
   if (!options.holes.fill)
     return map_patch(points, std::move(refined.mesh), loops, std::move(refined.uv), options, run);
   Filled filled =
       fill(points, std::move(refined.mesh), loops, local_spacing(points, neighbours), options, run);
-  std::vector<UV>& uv = refined.uv;  // of holes and of new points it is mapped anew
+  std::vector<UV>& uv = refined.uv;  // for holes and new points it is computed again
   uv.resize(points.size());
   uv.resize(filled.points.size() + filled.fills.loops.size() - (filled.fills.loops.empty() ? 0 : 1));
   Patch patch =
@@ -161,7 +161,7 @@ Patch refine_patch(Points points, const Neighbours& neighbours, const Stars* sta
                    const std::vector<Loop>& loops, std::optional<Triangulation> first,
                    const RefineOptions& options, const Run& run) {
   check_simple(loops, points.size());
-  Arena arena(run);  // all that runs in parallel below keeps to the run's threads
+  Arena arena(run);  // limits the parallel work below to the run's threads
   return arena.execute([&] {
     run.check_cancel();
     std::vector<UV> uv = outline_on_circle(points, loops);

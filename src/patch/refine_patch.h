@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// refine_patch() for those who have a first mesh, or know the points' cells already.
+// refine_patch() with a first mesh, or with known stars.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace rimline {
 
-// `first`: a disc with holes over all points that ends at the loops; where there is none, it is made of a
-// map. `stars` may be null: they are found where they are needed.
+// `first`: a disc with holes over all points that ends at the loops; without it, it is made from a map.
+// `stars` may be null: they are then found where needed.
 Patch refine_patch(Points points, const Neighbours& neighbours, const Stars* stars,
                    const std::vector<Loop>& loops, std::optional<Triangulation> first,
                    const RefineOptions& options, const Run& run);
 
-// A mesh of any other topology: its edges are flipped in space where it can be oriented, its holes filled; it
-// gets no map. `loops` may be empty.
+// Finishes a mesh of any other topology: its edges are flipped in space if it is orientable, its holes are
+// filled; it gets no map. `loops` may be empty.
 Patch finish_patch(Points points, const Neighbours& neighbours, const std::vector<Loop>& loops,
                    std::vector<Triangle> triangles, bool orientable, const RefineOptions& options,
                    const Run& run);

@@ -20,7 +20,7 @@
 namespace rimline {
 namespace {
 
-// Corners that lie in no part would be passed over in silence.
+// Checks the corners: those in no part would otherwise be ignored.
 void check_corners(const std::vector<PatchInput>& parts, const RefineOptions& options) {
   if (options.corners[0] == none) return;
   for (const PatchInput& part : parts) {
@@ -32,14 +32,14 @@ void check_corners(const std::vector<PatchInput>& parts, const RefineOptions& op
               {options.corners.begin(), options.corners.end()});
 }
 
-// What was made of one part, or what was thrown instead.
+// The result of one part, or the error that it threw.
 struct Meshed {
   std::vector<Component> components;
   std::exception_ptr failure;
 };
 
-// Calls mesh(p, run) for every part. Large ones have all threads to themselves, one after the other; of
-// small ones each thread has its own.
+// Calls mesh(p, run) for every part. Large parts use all threads, one part after the other; small parts use
+// one thread each.
 template <class Mesh>
 std::vector<Meshed> mesh_all(const std::vector<PatchInput>& parts, const Mesh& mesh, const Run& run) {
   constexpr std::size_t large = 20'000, batch = 64;  // points; parts between two looks at progress
@@ -60,7 +60,7 @@ std::vector<Meshed> mesh_all(const std::vector<PatchInput>& parts, const Mesh& m
       small.push_back(p);
     }
   }
-  Run alone = run.without_progress();  // which is for the thread that called
+  Run alone = run.without_progress();  // progress is reported by the calling thread
   alone.threads = 1;
   Arena arena(run);
   for (std::size_t first = 0; first < small.size(); first += batch) {
@@ -74,7 +74,7 @@ std::vector<Meshed> mesh_all(const std::vector<PatchInput>& parts, const Mesh& m
   return meshed;
 }
 
-// Parts that share points, or whose loops pass a point twice, hang together in points alone: one part, whose
+// Merges parts that share points, or whose loops visit a point twice: they touch in points alone, and their
 // triangles tell which component has the point.
 void pool_touching(const std::vector<Loop>& loops, std::size_t points, std::vector<PatchInput>& parts) {
   std::vector<int> count(points, 0);
@@ -103,7 +103,7 @@ void pool_touching(const std::vector<Loop>& loops, std::size_t points, std::vect
   parts.push_back(std::move(pool));
 }
 
-// Points with triangles that hang together with no loop: closed surfaces, and what is left of open ones.
+// Points in triangles that are connected to no loop: closed surfaces, and remains of open ones.
 PatchInput without_loops(const std::vector<Index>& left_out, const std::vector<Triangle>& triangles,
                          std::size_t points) {
   std::vector<char> loose(points, 0), used(points, 0);
@@ -118,9 +118,9 @@ PatchInput without_loops(const std::vector<Index>& left_out, const std::vector<T
   return part;
 }
 
-// Loops that were given in their order, with what is known of them, then those that are new.
+// The given loops in their order, with their properties, then new ones.
 std::vector<Loop> in_order_of(const std::vector<Loop>& given, std::vector<Loop> loops) {
-  std::map<std::vector<Index>, std::size_t> place;  // by the points, whichever comes first
+  std::map<std::vector<Index>, std::size_t> place;  // by the points; the first of equal ones
   const auto key = [](std::vector<Index> points) {
     std::ranges::sort(points);
     return points;
@@ -145,7 +145,7 @@ std::vector<Loop> in_order_of(const std::vector<Loop>& given, std::vector<Loop> 
   return sorted;
 }
 
-// What is kept of a part that ended in an error.
+// The result of a part that ended in an error.
 std::vector<Component> failed(const PatchInput& part, const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
@@ -176,7 +176,7 @@ Surface refine_surface(Points points, const Neighbours& neighbours, const std::v
       surface_triangles.empty() ? agreed_triangles(find()) : std::vector<Triangle>{};
   const std::vector<Triangle>& triangles = surface_triangles.empty() ? agreed : surface_triangles;
   pool_touching(loops, points.size(), parts);
-  // Loops without triangles were made by hand and say what the surface is.
+  // Loops without triangles are given, and define the surface.
   if (!surface_triangles.empty() || loops.empty())
     parts.push_back(without_loops(whole.left_out, triangles, points.size()));
   if (!parts.empty() && parts.back().points.empty()) parts.pop_back();

@@ -14,7 +14,7 @@ namespace rimline {
 namespace {
 
 constexpr std::size_t largest_gap = 200;   // points of its ring: an eighth of a second to close
-constexpr std::size_t least_covered = 99;  // percent of the points; more of the others would need a map
+constexpr std::size_t least_covered = 99;  // percent of the points; with fewer a map is needed
 
 // The open edges of a mesh that leave each vertex. Triangles lie on their left.
 struct Rim {
@@ -64,7 +64,8 @@ class Mender {
     return true;
   }
 
-  // Leaves one fan at each vertex. Where a fan goes, another vertex may be left with two, so it looks again.
+  // Leaves one fan at each vertex. Removing a fan can leave two at another vertex, so that the test is
+  // repeated.
   bool cut_pinches() {
     constexpr int most_rounds = 8;
     for (int round = 0; round < most_rounds; ++round) {
@@ -86,7 +87,7 @@ class Mender {
     return false;
   }
 
-  // The fan with the loop's edge stays, else the largest, of equal ones the first.
+  // Keeps the fan with the loop's edge, else the largest; the first of equal ones.
   void drop_lesser_fans(Index vertex, std::vector<Index> star, std::vector<char>& keep) const {
     std::vector<std::vector<Index>> fans;
     std::size_t best = 0;
@@ -122,7 +123,7 @@ class Mender {
     return fan;
   }
 
-  // The edge-connected component of the first loop stays.
+  // Keeps the edge-connected component of the first loop.
   bool keep_sheet() {
     const Rim rim(mesh_, points_.size());
     for (const Loop& loop : loops_) {
@@ -159,7 +160,7 @@ class Mender {
 
   bool close_gaps() {
     Rim rim(mesh_, points_.size());
-    for (const Loop& loop : loops_) {  // a loop of a part that is gone fails here
+    for (const Loop& loop : loops_) {  // fails for a loop of a removed part
       for (const Index v : loop.points) {
         if (rim.next[v] != loop_next_[v]) return false;
       }

@@ -11,7 +11,7 @@
 namespace rimline {
 namespace {
 
-// Steps from the nearest root, and the vertex before; -1 and none where it does not come.
+// Steps from the nearest root, and the vertex before; -1 and none where it is not reached.
 struct Tree {
   std::vector<Index> reached;  // by distance
   std::vector<int> distance;
@@ -65,7 +65,7 @@ std::vector<Crossing> crossings_of(const Capped& surface, const Tree& tree, Inde
   return crossings;
 }
 
-// The closed curve without the way from the root that its two halves share.
+// The closed curve without the path from the root that its two halves share.
 std::vector<Index> curve_of(const Tree& tree, const Crossing& crossing) {
   std::vector<Index> to_a{crossing.a}, to_b{crossing.b};
   while (to_a.back() != to_b.back()) {
@@ -84,7 +84,7 @@ std::vector<Index> way_back(const Tree& tree, Index vertex) {
   return way;
 }
 
-// The crossings that are left when faces are joined over the longest curves first: the shortest that bound
+// The edges that remain when faces are joined across the longest curves first: the shortest curves that bound
 // nothing, the shortest last.
 std::vector<Crossing> left_over(const Capped& surface, const std::vector<Crossing>& crossings) {
   const Index rims = 1 + *std::ranges::max_element(surface.rim_of);

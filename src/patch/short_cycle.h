@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The short closed curves that a handle or a one-sided strip has, and a disc with holes has not.
+// Short closed curves that do not bound: a handle or a one-sided strip has them, a disc with holes has none.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace rimline {
 
-// A component and the rims that it is taken to be capped at: `rim_of` has the number of a rim at its vertices
+// A component and its rims, which are taken to be capped: `rim_of` has the number of a rim at its vertices
 // and none elsewhere.
 struct Capped {
   const EditableMesh& mesh;
   const std::vector<Index>& rim_of;
 };
 
-// What a shortest-path tree from one vertex tells: one closed curve for each of the first Betti number (mod
-// 2) of the capped component, all of them through the vertex, the shortest first.
+// Closed curves by the shortest-path tree of one vertex: one for each of the first Betti number (mod 2) of
+// the capped component, all through the vertex, the shortest first.
 struct CyclesAt {
   std::vector<Index> shortest;  // vertices in order, simple; empty where every closed curve bounds
   std::vector<Index> others;    // one vertex on each of the others
@@ -27,10 +27,9 @@ struct CyclesAt {
 // in edges. Time linear in the component's triangles.
 CyclesAt cycles_at(const Capped& surface, Index vertex);
 
-// Ways through the surface between two of the vertices given, all on one rim, that make, closed over the
-// rim's cap, curves that bound nothing: across the bands that make handles or one-sided strips. One for each
-// of the first Betti number, the shortest first, without those that end where they begin. Otherwise as
-// cycles_at().
+// Paths through the surface between two of the given vertices, all on one rim, that do not bound when closed
+// over the rim's cap: across the bands that make handles or one-sided strips. One for each of the first Betti
+// number, the shortest first, without those that end where they begin. Otherwise like cycles_at().
 std::vector<std::vector<Index>> arcs_at(const Capped& surface, const std::vector<Index>& ends);
 
 }  // namespace rimline

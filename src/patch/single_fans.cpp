@@ -26,7 +26,7 @@ struct Bridge {
   double length;  // of its new edge
 };
 
-// The triangle between two open edges at v that run on from each other, where it fits the surface.
+// The triangle between two consecutive open edges at v, where it fits the surface.
 std::optional<Bridge> bridge_between(const EditableMesh& mesh, Index v, const End& a, const End& b,
                                      double spacing) {
   constexpr double longest = 3, level = 0.2, widest = -0.7;  // spacings; cosines of fold and angle
@@ -70,7 +70,7 @@ bool join_fans(EditableMesh& mesh, Index v, const std::vector<Fan>& fans, double
   return true;
 }
 
-// Leaves the fan of most triangles; returns the vertices that lost some.
+// Keeps the fan of most triangles; returns the vertices that lost some.
 std::vector<Index> drop_lesser_fans(EditableMesh& mesh, const std::vector<Fan>& fans) {
   const auto most = std::ranges::max_element(
       fans, [](const Fan& a, const Fan& b) { return a.triangles.size() < b.triangles.size(); });
@@ -93,7 +93,7 @@ void leave_single_fans(EditableMesh& mesh, std::span<const double> spacing) {
   for (Index v = 0; v < mesh.vertices(); ++v) {
     if (mesh.star(v).size() > 1) open.push(v);
   }
-  // Each vertex is bridged a few times at most, so that this ends.
+  // Each vertex is bridged a few times at most, which bounds the loop.
   constexpr int most_bridges = 4;
   std::vector<char> bridges(mesh.vertices(), 0);
   for (; !open.empty(); open.pop()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices at which a surface touches itself in a point.
+// Removes pinches: vertices at which a surface touches itself.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 namespace rimline {
 
 // Leaves one fan at each vertex. Two fans of one component are joined by a triangle between them where one
-// fits the surface (a narrow angle, edges of a few spacings, no fold); else the fan with most triangles stays
-// and the others go. Where components touch, the vertex stays with the fan of most triangles. `spacing`: one
-// per vertex.
+// fits the surface (a narrow angle, edges of a few spacings, no fold); otherwise the fan with most triangles
+// stays and the others are removed. Where components touch, the vertex stays with the fan of most triangles.
+// `spacing`: one per vertex.
 void leave_single_fans(EditableMesh& mesh, std::span<const double> spacing);
 
 }  // namespace rimline

@@ -44,8 +44,8 @@ std::vector<Triangle> triangles_at(const EditableMesh& mesh, const std::vector<I
   return triangles;
 }
 
-// The triangles at the curve, parted into those that hang together at it without crossing it; of a curve with
-// two sides there are two.
+// The triangles at the curve, in sets that are connected at it without crossing it; two for a two-sided
+// curve.
 std::vector<std::vector<Triangle>> sides_of(const EditableMesh& mesh, const Curve& curve) {
   const std::vector<Index> triangles = places_at(mesh, curve.vertices);
   const auto place = [&](Index t) {
@@ -73,8 +73,8 @@ bool has_single_fans(const EditableMesh& mesh, const std::vector<Index>& vertice
   return std::ranges::all_of(vertices, [&](Index v) { return mesh.fans(v).size() <= 1; });
 }
 
-// The longest rim that is left of each that passed the vertices; the others come behind. Nothing where one is
-// gone, or two became one.
+// Puts the longest remaining rim of each rim that passed the vertices first. None where one is gone, or two
+// were merged.
 std::optional<std::size_t> put_old_first(std::vector<Rim>& rims, const std::vector<Index>& vertices,
                                          const Rims& before) {
   std::ranges::stable_sort(rims, std::ranges::greater{}, &Rim::size);
@@ -98,7 +98,7 @@ std::optional<std::size_t> put_old_first(std::vector<Rim>& rims, const std::vect
   return open.empty() ? std::optional(old) : std::nullopt;
 }
 
-// Closes the rims, as far as that goes.
+// Closes the rims, as far as possible.
 bool close_rims(EditableMesh& mesh, std::span<const Rim> rims, std::size_t most, Change& change) {
   return std::ranges::all_of(rims, [&](const Rim& rim) {
     const Index before = mesh.places();
@@ -113,7 +113,7 @@ void undo(EditableMesh& mesh, const Change& change) {
   for (const Triangle& t : change.removed) mesh.add(t);
 }
 
-// Takes the triangles away and closes what opens.
+// Removes the triangles and closes the gaps.
 std::optional<Change> replace(EditableMesh& mesh, Rims& rims, const std::vector<Triangle>& triangles,
                               std::size_t most) {
   Change change{triangles, {}};
@@ -139,11 +139,11 @@ std::optional<Change> replace(EditableMesh& mesh, Rims& rims, const std::vector<
   return {};
 }
 
-// What may be taken away, the least first: one side, all at the curve, or all at that.
+// The sets of triangles that may be removed, the smallest first: one side, or all at the curve.
 std::vector<std::vector<Triangle>> ways_to_cut(const EditableMesh& mesh, const Curve& curve) {
   std::vector<std::vector<Triangle>> ways = sides_of(mesh, curve);
   std::ranges::stable_sort(ways, {}, &std::vector<Triangle>::size);
-  if (ways.size() != 2) ways.clear();  // one-sided, or its sides are in one another's way
+  if (ways.size() != 2) ways.clear();  // one-sided, or its sides overlap
   ways.push_back(triangles_at(mesh, curve.vertices));
   ways.push_back(triangles_at(mesh, vertices_of(ways.back())));
   return ways;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles along a curve taken away, so that a surface becomes simpler.
+// Removes triangles along a curve, so that a surface becomes simpler.
 #pragma once
 
 #include <optional>
@@ -26,17 +26,16 @@ struct Rims {
   void put(const Rim& rim);
 };
 
-// Triangles that went and came.
+// Removed and added triangles.
 struct Change {
   std::vector<Triangle> removed;
   std::vector<Index> added;  // places
 };
 
 // The change along the curve that removes least: the triangles on one of its sides, or all at it where its
-// sides are one another's. Of the rims that are there afterwards the longest of each that was there before
-// stays, the others are closed. Each vertex has one fan afterwards. Nothing, and the mesh as it was, where
-// more than `most` triangles would go, or come at one rim, where two rims would become one, or no way leaves
-// a manifold.
+// sides overlap. For each rim that was there before the longest of the new rims stays, the others are closed.
+// Each vertex has one fan afterwards. None, with the mesh unchanged, where more than `most` triangles would
+// be removed, or added at one rim, where two rims would merge, or where no change leaves a manifold.
 std::optional<Change> cut(EditableMesh& mesh, Rims& rims, const Curve& curve, std::size_t most);
 
 }  // namespace rimline

@@ -63,9 +63,9 @@ Point unit_normal(Points points, const Triangle& t) {
   return length > 0 ? (1 / length) * n : Point{};
 }
 
-// Parted at edges at which the triangles fold by more than 45 degrees: there the cells may have taken two
-// sheets that lie close for one, and a single such edge would make any surface one-sided. A strip that is
-// sampled well is smoother.
+// Cuts the mesh at edges where the triangles fold by more than 45 degrees: there the cells may have joined
+// two close sheets, and a single such edge would make any surface one-sided. A well sampled strip is
+// smoother.
 bool is_orientable(Points points, const Triangulation& mesh) {
   constexpr double flat = 0.7;  // cosine
   Triangulation smooth = mesh;

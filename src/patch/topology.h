@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What kind of surface the points lie on, told without a map: a map to the disc makes a disc of anything.
+// The topology of the surface of the points, without a map: a map to the disc makes a disc of anything.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ namespace rimline {
 struct Topology {
   bool orientable = true;
   int genus = 0;        // handles; of a one-sided surface half the number of cross-caps, rounded down
-  double coverage = 0;  // share of the points that the part has: near 0 it tells nothing
+  double coverage = 0;  // share of the points in that part: near 0 the result means nothing
   Index triangles = 0;
 };
 
-// The triangles that all three corners name. At most two of them share an edge.
+// The triangles that the stars of all three corners name. At most two of them share an edge.
 std::vector<Triangle> agreed_triangles(const Stars& stars);
 
 Topology find_topology(Points points, const Stars& stars);

@@ -28,7 +28,7 @@ std::vector<Index> vertices_within(const EditableMesh& mesh, Index vertex, int e
   return vertices;
 }
 
-// Those of which all corners are numbered.
+// The triangles of which all corners are numbered.
 std::vector<Triangle> triangles_of(const EditableMesh& mesh, const std::vector<Index>& vertices,
                                    const Numbers& number) {
   std::vector<Triangle> triangles;
@@ -44,7 +44,7 @@ std::vector<Triangle> triangles_of(const EditableMesh& mesh, const std::vector<I
   return triangles;
 }
 
-// Leaves one fan at each vertex, the largest: a part of the surface is one still.
+// Keeps the largest fan at each vertex: the part stays a surface.
 void drop_lesser_fans(EditableMesh& mesh) {
   for (bool again = true; std::exchange(again, false);) {
     for (Index v = 0; v < mesh.vertices(); ++v) {
@@ -83,7 +83,7 @@ Vicinity vicinity_of(const EditableMesh& mesh, Index vertex, int edges) {
 std::vector<Index> short_cycle_in(const Vicinity& vicinity) {
   const Capped surface{vicinity.mesh, vicinity.rim_of};
   std::vector<Index> shortest = cycles_at(surface, 0).shortest;
-  // Curves through a vertex of the shortest so far, until they get no shorter.
+  // Searches from a vertex of the shortest curve so far, until the curves get no shorter.
   for (bool shorter = !shortest.empty(); std::exchange(shorter, false);) {
     for (const Index v : std::vector<Index>(shortest)) {
       std::vector<Index> other = cycles_at(surface, v).shortest;

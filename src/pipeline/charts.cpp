@@ -19,7 +19,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// A component on its own, and its map.
+// A component and its map.
 struct Part : ComponentPart {
   std::vector<Point> points;
   ChartedMap map;
@@ -36,7 +36,7 @@ std::vector<Part> parts_of(const MappedMesh& mesh) {
   return parts;
 }
 
-// One place a vertex, as the domain's map has it.
+// The domain's map: one position a vertex.
 void keep_map(const MappedMesh& mesh, std::size_t component, Part& part) {
   ChartedMap& map = part.map;
   map.kind = mesh.components[component].map;
@@ -50,7 +50,7 @@ void keep_map(const MappedMesh& mesh, std::size_t component, Part& part) {
   map.turned.assign(part.triangles.size(), 0);
 }
 
-// Small components each have a thread, large ones all of them.
+// Small components use one thread each, large ones all threads.
 void map_parts(std::vector<Part>& parts, const std::vector<std::size_t>& wanted, const ChartOptions& options,
                const Run& run) {
   constexpr std::size_t large = 20'000;  // points
@@ -76,7 +76,7 @@ double area_in_map(const ChartedMap& map) {
   return area;
 }
 
-// Charts come at the scale of the surface, maps to a domain at its own.
+// Scales a map: charts have the scale of the surface, maps to a domain that of the domain.
 void set_scale(const ParameterizeOptions& options, bool charted, Part& part) {
   const bool real = options.uv_scale != UvScale::Domain || traits(options.domain).released;
   if (real == charted || part.map.charts == 0) return;
@@ -85,7 +85,7 @@ void set_scale(const ParameterizeOptions& options, bool charted, Part& part) {
   for (UV& p : part.map.uv) p = {scale * p.u, scale * p.v};
 }
 
-// All places of all parts.
+// The positions of all parts.
 struct Layout {
   std::vector<UV> uv;
   std::vector<Index> vertex, chart;  // of each place
@@ -116,7 +116,7 @@ Layout lay_out(MappedMesh& mesh, const std::vector<Part>& parts, std::vector<Tri
   return layout;
 }
 
-// Within the square from 0 to 1.
+// Fits all charts in the square from 0 to 1.
 void fit_unit_square(std::vector<UV>& uv) {
   if (uv.empty()) return;
   UV low = uv.front(), high = low;
@@ -130,13 +130,13 @@ void fit_unit_square(std::vector<UV>& uv) {
   for (UV& p : uv) p = {margin + scale * (p.u - low.u), margin + scale * (p.v - low.v)};
 }
 
-// Whether rounding took a triangle's area where the chart has come to lie.
+// Whether a triangle lost its area by rounding at the position of its chart.
 bool is_turned(const Part& part, const std::vector<Triangle>& corners, const std::vector<UV>& uv) {
   return part.map.charts > 0 &&
          std::ranges::any_of(part.places, [&](Index t) { return !(twice_area(uv, corners[t]) > 0); });
 }
 
-// Parts, whose maps would have triangles without area, without them.
+// Removes the maps of parts with triangles without area.
 Layout lay_out_sound(MappedMesh& mesh, std::vector<Part>& parts, UvScale scale,
                      std::vector<Triangle>& corners) {
   for (;;) {
@@ -154,7 +154,7 @@ Layout lay_out_sound(MappedMesh& mesh, std::vector<Part>& parts, UvScale scale,
   }
 }
 
-// One-sided surfaces face where their charts do.
+// Turns triangles of one-sided surfaces as their charts face.
 void turn_triangles(const std::vector<Part>& parts, MappedMesh& mesh) {
   for (const Part& part : parts) {
     for (std::size_t i = 0; i < part.map.turned.size(); ++i) {
@@ -164,7 +164,7 @@ void turn_triangles(const std::vector<Part>& parts, MappedMesh& mesh) {
   }
 }
 
-// A vertex of one place has it, of several none of its own.
+// A vertex of one position has it; a vertex of several has none of its own.
 void give_places(const Layout& layout, std::vector<Triangle> corners, MappedMesh& mesh) {
   std::vector<Index> count(mesh.vertices.size(), 0);
   for (const Index v : layout.vertex) ++count[v];
@@ -203,7 +203,7 @@ void report_on(const std::vector<Part>& parts, const std::vector<std::size_t>& c
   }
 }
 
-// The maps as they are, one place a vertex.
+// The maps unchanged, one position a vertex.
 MappedMesh with_chart_a_component(MappedMesh mesh) {
   std::vector<Index> chart_of(mesh.components.size(), none);
   Index charts = 0;

@@ -6,9 +6,9 @@
 
 namespace rimline::pipeline {
 
-// Maps the components that are left to map_by_charts(): all for the domain Free, and of the others those that
-// have no map. Numbers all charts, lays them side by side and gives them the size that is asked for.
-// Triangles of one-sided components are turned so that each runs counter-clockwise in its chart.
+// Maps the remaining components by map_by_charts(): all for the domain Free, and of the others those without
+// a map. Numbers all charts, places them side by side and scales them as asked. Triangles of one-sided
+// components are turned so that each runs counter-clockwise in its chart.
 MappedMesh map_charts(MappedMesh mesh, const ParameterizeOptions& options, const Run& run);
 
 }  // namespace rimline::pipeline

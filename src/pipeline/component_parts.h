@@ -9,7 +9,7 @@
 namespace rimline::pipeline {
 
 struct ComponentPart {
-  std::vector<Index> places;        // of its triangles in the mesh, ascending
+  std::vector<Index> places;        // indices of its triangles in the mesh, ascending
   std::vector<Index> vertices;      // of the mesh, in the order in which its triangles name them first
   std::vector<Triangle> triangles;  // by positions in `vertices`
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ours in place of sections 3 and 5: every loop of every component, each component a patch of its own.
+// The default method in place of sections 3 and 5: all loops of all components, each component a patch.
+// [ours]
 #include "pipeline/given_loops.h"
 #include "pipeline/loop_kinds.h"
 #include "pipeline/mesh_patches.h"
@@ -17,7 +18,7 @@ SearchSummary summarize(SelectionSummary search) {
   return summary;
 }
 
-// The search reports its progress as two stages, and so tells the clock where the first of them ends.
+// The search reports its progress as two stages; this tells the clock where the first of them ends.
 Run with_clock(const Run& run, StageClock& clock) {
   Run timed = run;
   timed.on_progress = [&run, &clock](Progress progress) {
@@ -38,8 +39,8 @@ FoundLoops find_all_loops(const PreparedPoints& prepared, const BoundaryScores& 
   found.probability = std::move(survey.probability);
   found.search = summarize(std::move(survey.search));
   if (!given.loops.empty()) {  // the triangles, which end at other loops, would tell the parts wrongly apart
-    found.loops = with_one_outer_loop_a_part(
-        arrange_loops(given.loops, prepared, scores, options.loops), prepared, run);
+    found.loops = with_one_outer_loop_a_part(arrange_loops(given.loops, prepared, scores, options.loops),
+                                             prepared, run);
     found.label = label_boundary(std::move(survey.label), found.loops);
     return found;
   }

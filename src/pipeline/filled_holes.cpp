@@ -37,7 +37,7 @@ RimEdges filled_edges(const std::vector<PatchReport>& patches) {
   return filled;
 }
 
-// Points of loops that are gone, and of none that stays.
+// Points of removed loops that are on no remaining one.
 std::vector<PointLabel> relabel(std::vector<PointLabel> label, const std::vector<Loop>& gone,
                                 const std::vector<Loop>& stay) {
   if (label.empty()) return label;

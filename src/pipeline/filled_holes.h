@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holes that were filled are no boundary any more.
+// Removes filled holes from the boundary.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace rimline::pipeline {
 
-// The mesh without the loops that were filled, their points no longer labelled boundary, and with a summary
-// of what became of each hole.
+// The mesh without the loops that were filled; their points are no longer labelled boundary. With a summary
+// of all holes.
 MappedMesh take_out_filled(MappedMesh mesh, const std::vector<PatchReport>& patches);
 
 }  // namespace rimline::pipeline

@@ -55,7 +55,7 @@ std::string fault_of_component(const MappedMesh& mesh, Index component, const Ru
                   run);
 }
 
-// The entry goes where its size puts it.
+// Inserts the entry by its size.
 void list(Index component, const std::string& fault, const PreparedPoints& prepared, MappedMesh& mesh) {
   std::vector<Index> points;
   for (Index v = 0; v < static_cast<Index>(prepared.points().size()); ++v) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the mesh does not have, told so that something can be done about it.
+// Lists what the mesh does not contain, with causes and remedies.
 #pragma once
 
 #include <optional>
@@ -11,19 +11,20 @@
 
 namespace rimline::pipeline {
 
-// What to try where a component is left out.
+// The remedy for a component that is left out.
 inline constexpr const char* remedy_of_component =
     "crop the box out and look at the loops there; --use-loops takes corrected ones";
 
-// Points of the arrangement, not none, told in ids and coordinates of the input: without cause and remedy.
+// An entry for points of the arrangement (at least one), in ids and coordinates of the input, without cause
+// and remedy.
 LeftOut points_left_out(const PreparedPoints& prepared, const std::vector<Index>& points);
 
-// One entry for each component that could not be meshed and for each group of points in no triangle that hang
-// together by their six nearest neighbours, the largest first; in ids of the input.
+// One entry for each component that could not be meshed and for each connected group of points in no triangle
+// (by their six nearest neighbours), the largest first; in ids of the input.
 std::vector<LeftOut> describe_left_out(const PreparedPoints& prepared, const Surface& surface);
 
-// Why there is no mesh to give: not a triangle, or under `strict` a part of the surface that it does not
-// have: a component that failed, or a group of at least ten points. Nothing where there is one.
+// The reason why there is no mesh to return: no triangle, or under `strict` a missing part of the surface: a
+// component that failed, or a group of at least ten points. None where there is a mesh.
 std::optional<Error> why_no_mesh(const MappedMesh& mesh, bool strict);
 
 }  // namespace rimline::pipeline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which of the loops made by hand is the outline of its part of the surface.
+// Finds the outer loop of each part among given loops.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace rimline::pipeline {
 
-// Loops in ids of the arrangement, no point on two of them. A part of the surface has one outer loop. Of several
-// in one part, which is what loops without a kind come to, the one of the largest box stays (of equal ones the
-// longer, then the first), and the others become holes. [ours]
+// Loops in ids of the arrangement, no point on two of them. A part of the surface has one outer loop. Of
+// several in one part, which is what loops without a kind come to, the one of the largest box stays (of equal
+// ones the longer, then the first), and the others become holes. [ours]
 std::vector<Loop> with_one_outer_loop_a_part(std::vector<Loop> loops, const PreparedPoints& prepared,
                                              const Run& run);
 

@@ -20,10 +20,10 @@ struct MappedMesh {
   std::vector<Index> patch;  // of each vertex, or `none`; empty where there is one patch only
   std::vector<Triangle> triangles;
   std::vector<Index> triangle_patch;  // as `patch`
-  std::vector<Index> chart;           // per triangle, or `none` without a map; empty where nobody counts them
-  std::vector<char> filled;           // per triangle, 1 where it closes a hole, or empty
-  std::vector<Loop> loops;            // where the mesh ends, the surface on their left
-  std::vector<PointLabel> label;      // FoundLoops::label, but for the holes that were filled
+  std::vector<Index> chart;  // per triangle, or `none` without a map; empty where charts are not numbered
+  std::vector<char> filled;  // per triangle, 1 where it closes a hole, or empty
+  std::vector<Loop> loops;   // the boundary of the mesh, the surface on the left
+  std::vector<PointLabel> label;  // FoundLoops::label, except at filled holes
   MapSummary map;
   std::vector<ComponentSummary> components;  // one per patch, or empty
   std::optional<HoleSummary> holes;

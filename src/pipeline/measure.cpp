@@ -18,10 +18,11 @@
 namespace rimline::pipeline {
 namespace {
 
-// Counting them takes longer than all else on a surface in shreds; nobody asks how many more there are.
+// Upper bound of the count: on a badly damaged surface counting all would take longer than everything else.
 constexpr std::size_t most_self_intersections = 100'000;
 
-// One per vertex. Fills take theirs from their own edges: they have no neighbours in the sample.
+// One per vertex. New vertices of fills have no neighbours in the sample; their spacing comes from their
+// edges.
 std::vector<double> spacing_of_vertices(std::vector<double> spacing, const MappedMesh& mesh) {
   const std::size_t points = spacing.size();
   if (points == mesh.vertices.size()) return spacing;
@@ -48,7 +49,7 @@ struct Part {
   Seams seams;
 };
 
-// Gives each part the places of its corners: those of a corner at a seam for itself alone.
+// Gives each part the positions of its corners; corners at a seam have their own.
 void share_seams(const MappedMesh& mesh, std::vector<Part>& parts) {
   std::vector<std::size_t> seen(parts.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -80,7 +81,7 @@ std::vector<Part> parts_of(const MappedMesh& mesh, const std::vector<double>& sp
   return parts;
 }
 
-// Of each component: none where the method knows one surface only; a single one is the whole.
+// One for each component; none where the method knows one surface only. A single component is the whole.
 std::vector<MeshSummary> measure_parts(const MappedMesh& mesh, const std::vector<double>& spacing,
                                        const MeshSummary& whole, const Run& run) {
   if (mesh.components.empty()) return {};
@@ -96,7 +97,7 @@ std::vector<MeshSummary> measure_parts(const MappedMesh& mesh, const std::vector
 
 using Pairs = std::vector<std::array<Index, 2>>;
 
-// Per component, the pairs of which either triangle is its.
+// For each component the number of pairs with a triangle of it.
 std::vector<std::size_t> count_intersections(const Pairs& pairs, const MappedMesh& mesh) {
   std::vector<std::size_t> counts(mesh.components.size(), 0);
   if (counts.empty()) return counts;

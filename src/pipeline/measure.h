@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report's part on the mesh.
+// Measures of the mesh for the report.
 #pragma once
 
 #include <optional>

@@ -8,7 +8,7 @@
 namespace rimline::pipeline {
 namespace {
 
-// The same vertices: as many, in the same places but for the rounding of a file.
+// Whether the vertices are the same: as many, at the same positions to the rounding of a file.
 bool same_vertices(const PreparedPoints& prepared, const std::vector<Point>& reference) {
   const Points input = prepared.input;
   if (reference.size() < input.size()) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mesh beside another one.
+// Comparison of the mesh with a reference.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 namespace rimline::pipeline {
 
 struct ReferenceMeasures {
-  std::optional<ReferenceSummary> whole;                   // nothing where there is no reference
+  std::optional<ReferenceSummary> whole;                   // none without a reference
   std::vector<std::optional<DistanceSummary>> components;  // of each component that was meshed
 };
 

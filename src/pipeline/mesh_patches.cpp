@@ -76,7 +76,7 @@ std::vector<ComponentSummary> summarize_patches(const std::vector<PatchReport>& 
   return components;
 }
 
-// All systems as one.
+// Sums over all systems.
 MapSummary summarize_maps(const std::vector<PatchReport>& patches) {
   MapSummary all;
   for (const PatchReport& patch : patches) {
@@ -100,8 +100,7 @@ MappedMesh with_summaries(MappedMesh mesh, const PreparedPoints& prepared,
   return mesh;
 }
 
-// Rims that no loop was found along have no fitness yet: eq. (3) on the log score -log(1 - p), as the
-// method's.
+// Rims without a found loop have no fitness yet: eq. (3) on the log score -log(1 - p), as in the method.
 std::vector<Loop> rated(std::vector<Loop> loops, const std::vector<float>& probability, double exponent) {
   for (Loop& loop : loops) {
     if (loop.fitness != 0 || probability.empty()) continue;

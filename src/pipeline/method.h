@@ -12,7 +12,7 @@
 
 namespace rimline::pipeline {
 
-// The loops, and what else the search for them tells of the surface.
+// The loops, and further results of their search.
 struct FoundLoops {
   std::vector<Loop> loops;
   std::vector<float> probability;  // per point; of the default method
@@ -25,21 +25,21 @@ struct FoundLoops {
   std::vector<std::string> warnings;
 };
 
-// What differs between the presets. Everything else is common to them.
+// The functions that differ between the presets. Everything else is common to them.
 struct Method {
   FoundLoops (*find_loops)(const PreparedPoints&, const BoundaryScores&, const Options&, const Given&,
                            const Run&, StageClock&);
 
-  // The map; the triangles where they come with it.
+  // Makes the map, and the triangles where they come with it.
   MappedMesh (*map)(const PreparedPoints&, const FoundLoops&, const Options&, const Given&, const Run&,
                     StageClock&);
 
-  // The map and the triangles.
+  // Makes the map and the triangles.
   MappedMesh (*mesh)(const PreparedPoints&, const FoundLoops&, const Options&, const Given&, const Run&,
                      StageClock&);
 };
 
-// Sections 3 and 5 of the paper, and what is ours in their place.
+// Sections 3 and 5 of the paper, and the default method in their place.
 const Method& method_of_the_paper();
 const Method& default_method();
 

@@ -13,7 +13,7 @@ namespace rimline::pipeline {
 namespace {
 
 // The height about which a map is mirrored: the axis, where only signs change, or the middle of a box that
-// stands on it.
+// stands on the axis.
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 };
@@ -30,8 +30,8 @@ std::vector<Range> heights_of(const MappedMesh& mesh, std::size_t patches, Domai
   return ranges;
 }
 
-// Seen from the side it faces, the map of a patch that was turned round is mirrored too: triangles stay
-// counter-clockwise in uv, and loops keep the surface on their left.
+// Mirrors the map of a patch that was turned: triangles stay counter-clockwise in uv, and loops keep the
+// surface on their left.
 MappedMesh mirror(MappedMesh mesh, const std::vector<char>& turned, Domain domain) {
   const bool whole = mesh.patch.empty();
   const auto is_turned = [&](Index v) {
@@ -66,8 +66,8 @@ MappedMesh orient_whole(MappedMesh mesh, std::vector<Point> normals, Point up) {
 
 namespace {
 
-// Turns the triangles of one patch the way that the input's normals say, else outward where it has an inside,
-// else up. Returns whether they were turned.
+// Turns the triangles of one patch by the input's normals, else outward where it encloses a volume, else up.
+// Returns whether they were turned.
 bool orient_patch(const MappedMesh& mesh, Index patch, std::span<const Point> normals, Point up,
                   std::vector<Triangle>& triangles) {
   if (normals.empty()) {
@@ -102,7 +102,7 @@ MappedMesh orient_patches(MappedMesh mesh, std::vector<Point> normals, Point up,
   }
   const std::size_t patches = turned.size();
   mesh = mirror(std::move(mesh), turned, domain);
-  pack_patches(mesh.patch, patches, mesh.uv);  // those mirrored about the axis may have come over others
+  pack_patches(mesh.patch, patches, mesh.uv);  // patches mirrored about the axis may overlap others
   return mesh;
 }
 

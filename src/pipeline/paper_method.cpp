@@ -25,7 +25,7 @@ std::vector<std::string> warn_of_bound(const SearchSummary& search, const Bounda
                   std::count(scores.candidate.begin(), scores.candidate.end(), 1))};
 }
 
-// Where the loop comes from if not from the fittest chromosome.
+// Warns where the loop does not come from the fittest chromosome.
 std::vector<std::string> warn_of_source(const SearchSummary& search) {
   switch (search.loop_from) {
     case LoopSource::Fittest: return {};
@@ -49,8 +49,7 @@ FoundLoops find_loop(const PreparedPoints& prepared, const BoundaryScores& score
   clock.enter(Stage::Loops);
   FoundLoops found;
   if (!given.loops.empty()) {
-    found.loops =
-        with_one_outer_loop(arrange_loops(given.loops, prepared, scores, options.loops), prepared);
+    found.loops = with_one_outer_loop(arrange_loops(given.loops, prepared, scores, options.loops), prepared);
     return found;
   }
   GeneticLoop genetic = with_ids_of_input(prepared, [&] {

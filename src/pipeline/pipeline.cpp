@@ -21,7 +21,7 @@ using namespace pipeline;
 
 namespace {
 
-// `last` is the stage that the run ends with.
+// `last`: the last stage of the run.
 void check(Points points, const Options& options, const Given& given, Stage last, const Run& run) {
   check_options(options);
   check_input(points, options, given);
@@ -63,7 +63,7 @@ ParameterizeResult parameterize(Points points, const Options& options, const Run
   const Report report = add_map(report_boundary(prepared, scores, found, options, run), map);
   ParameterizeResult result;
   result.uv = uv_of_input(prepared, map.uv);
-  result.uv.resize(points.size());  // vertices that fills added have no place among the points
+  result.uv.resize(points.size());  // new vertices of fills have no position among the points
   result.boundary = boundary_of_input(prepared, scores, found, map.label, map.loops, options.loops, run);
   result.boundary.report = finish(report, result.boundary, run, clock);
   return result;

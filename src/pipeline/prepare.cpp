@@ -23,7 +23,7 @@ void check_corners(Points input, const ParameterizeOptions& map) {
   }
 }
 
-// Without those on loops that were given: who names a point wants it.
+// Without points on given loops: they are wanted.
 StrayPoints without_given(StrayPoints stray, const Arrangement& arrangement, const std::vector<Loop>& loops) {
   std::vector<Index> given;
   for (const Loop& loop : loops) given.insert(given.end(), loop.points.begin(), loop.points.end());
@@ -33,8 +33,8 @@ StrayPoints without_given(StrayPoints stray, const Arrangement& arrangement, con
   return stray;
 }
 
-// Takes stray points out until none is found any more, and finds the neighbours of the others. Some show only
-// when those beside them are gone.
+// Removes stray points until none is found, and finds the neighbours of the others. Some can be found only
+// after those beside them were removed.
 void leave_out_dirt(Arrangement& arrangement, Neighbours& neighbours, std::vector<double>& spacing, int k,
                     const std::vector<Loop>& given, const Run& run) {
   constexpr int most_rounds = 4;

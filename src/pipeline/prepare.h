@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What came in: checked, arranged, its neighbours and its spacing found.
+// Prepares the input: checks it, arranges it, finds neighbours and spacing.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace rimline::pipeline {
 
-// The points that take part, and their k-nearest graph. All stages after it speak of `points()`; results.h
-// translates what leaves to the ids of the input.
+// The points in use, and their k-nearest graph. All later stages use `points()`; results.h translates results
+// to the ids of the input.
 struct PreparedPoints {
   Points input;
   Arrangement arrangement;
@@ -32,8 +32,8 @@ void check_input(Points input, const Options& options, const Given& given);
 PreparedPoints prepare(Points input, const Options& options, const Given& given, const Run& run,
                        StageClock& clock);
 
-// Calls body() and returns what it returns. Errors of the stages name points of the arrangement; users know
-// those of their file, so the ids of an error are translated on its way out.
+// Calls body() and returns its result. Errors of the stages name points of the arrangement; their ids are
+// translated to those of the input.
 template <class Body>
 auto with_ids_of_input(const PreparedPoints& prepared, const Body& body) {
   try {

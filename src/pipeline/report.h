@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report, put together from what the stages gave. All warnings stand in the order of the stages.
+// Assembles the report from the results of the stages. Warnings are in the order of the stages.
 #pragma once
 
 #include "pipeline/measure.h"
@@ -7,18 +7,17 @@
 
 namespace rimline::pipeline {
 
-// On the input, the test and the search. The loops and what the run took are added where it ends, by
-// finish().
+// The report on the input, the test and the search. Loops and costs are added by finish().
 Report report_boundary(const PreparedPoints& prepared, const BoundaryScores& scores, const FoundLoops& found,
                        const Options& options, const Run& run);
 
-// With the map.
+// Adds the map.
 Report add_map(Report report, const MappedMesh& mesh);
 
-// With the mesh and its measures.
+// Adds the mesh and its measures.
 Report add_measures(Report report, const Measures& measures);
 
-// With the loops of the result, which points are undersampled, and what the stages took.
+// Adds the loops of the result, the number of undersampled points, and the costs of the stages.
 Report finish(Report report, const BoundaryResult& result, const Run& run, StageClock& clock);
 
 }  // namespace rimline::pipeline

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// What is known of a point, as the stages have it.
+// The results of a point, in the order of the stages.
 struct Record {
   double log_score;
   float probability;
@@ -23,7 +23,8 @@ struct Record {
 };
 constexpr Record left_out{nan, static_cast<float>(nan), PointLabel::Stray, 0};
 
-// In the order of the input. Put there as one record a point, since each goes to another place in memory.
+// Puts results in the order of the input. One record a point is written, because each goes to another
+// position in memory.
 UnfilledVector<Record> records_of_input(const PreparedPoints& prepared, const BoundaryScores& scores,
                                         const std::vector<float>& probability,
                                         const std::vector<PointLabel>& label, const Run& run) {
@@ -43,7 +44,7 @@ UnfilledVector<Record> records_of_input(const PreparedPoints& prepared, const Bo
   return records;
 }
 
-// A result with room for `points`, of which those of `rated` have a probability and a label.
+// An empty result for `points` points, of which those of `rated` have a probability and a label.
 BoundaryResult make_room(std::size_t points, std::size_t rated, const Run& run) {
   BoundaryResult result;
   parallel_tasks(4, Stage::Write, run, [&](std::size_t k) {
@@ -59,7 +60,7 @@ BoundaryResult make_room(std::size_t points, std::size_t rated, const Run& run) 
   return result;
 }
 
-// What the tests say of each point.
+// The results of the test for each point.
 BoundaryResult unpack(const UnfilledVector<Record>& records, bool rated, const LoopOptions& options,
                       const Run& run) {
   const std::size_t n = records.size();
@@ -77,7 +78,7 @@ BoundaryResult unpack(const UnfilledVector<Record>& records, bool rated, const L
   return result;
 }
 
-// From one value per vertex to one per point of the input, then per added one.
+// Translates one value per vertex to one per point of the input, then per added vertex.
 template <class T>
 std::vector<T> of_input(const PreparedPoints& prepared, const std::vector<T>& values, T unknown) {
   const std::vector<Index>& ids = prepared.ids();
@@ -88,7 +89,7 @@ std::vector<T> of_input(const PreparedPoints& prepared, const std::vector<T>& va
   return result;
 }
 
-// A point that two loops share carries the id of the longer one.
+// A shared point of two loops carries the id of the longer one.
 BoundaryResult with_loops(BoundaryResult result, std::vector<Loop> loops) {
   for (Index l = 0; l < static_cast<Index>(loops.size()); ++l) {
     for (const Index id : loops[l].points) {
@@ -131,7 +132,7 @@ std::vector<Triangle> triangles_of_input(const PreparedPoints& prepared, std::ve
 Seams seams_of_input(const PreparedPoints& prepared, Seams seams) {
   const auto used = static_cast<Index>(prepared.ids().size());
   const auto left_out = static_cast<Index>(prepared.input.size()) - used;
-  // Places of seams follow the vertices, whose number grows by the points that take no part.
+  // Positions of seams follow the vertices, whose number grows by the points that are not in use.
   seams.corners = triangles_of_input(prepared, std::move(seams.corners));
   for (Index& v : seams.point) v = v < used ? prepared.ids()[v] : v + left_out;
   return seams;
@@ -148,7 +149,7 @@ Distortion distortion_of_input(const PreparedPoints& prepared, Distortion distor
 BoundaryResult boundary_of_input(const PreparedPoints& prepared, const BoundaryScores& scores,
                                  const FoundLoops& found, const std::vector<PointLabel>& label,
                                  std::vector<Loop> loops, const LoopOptions& options, const Run& run) {
-  const Run silent = run.without_progress();  // takes a moment
+  const Run silent = run.without_progress();  // a short step
   const auto records = records_of_input(prepared, scores, found.probability, label, silent);
   for (Loop& loop : loops) {
     for (Index& id : loop.points) id = prepared.ids()[id];

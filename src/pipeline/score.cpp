@@ -8,8 +8,7 @@
 namespace rimline::pipeline {
 namespace {
 
-// All neighbours of every point on one line: there is no plane to project them to, and what came out would be
-// made of rounding.
+// All points lie on a line: there is no tangent plane, and the result would be rounding error.
 void check_not_on_lines(const BoundaryScores& scores) {
   constexpr float least = 1e-12F;  // of the variability: a millionth of the width, still far above rounding
   const auto& delta = scores.delta;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Section 2: the test of every point, and whether what it assumes holds.
+// Section 2: tests every point, and checks the assumptions.
 #pragma once
 
 #include <string>

@@ -14,12 +14,12 @@ namespace {
 
 constexpr int usual = 32;  // exponents of extents that are left alone
 
-// Exact but where the result is beyond what a double holds.
+// Exact except where the result is out of the range of a double.
 void scale(double& value, int exponent) { value = std::ldexp(value, exponent); }
 void scale(Point& p, int exponent) {
   for (double* x : {&p.x, &p.y, &p.z}) scale(*x, exponent);
 }
-// As above; a finite point, far from most of the others, stays finite.
+// As above; a finite point far from most others stays finite.
 void scale_input(std::vector<Point>& points, int exponent) {
   constexpr double most = std::numeric_limits<double>::max();
   for (Point& p : points) {
@@ -42,8 +42,8 @@ void scale(SpacingSummary& s, int exponent) {
   for (double* x : {&s.mean, &s.least, &s.most, &s.low, &s.high}) scale(*x, exponent);
 }
 
-// Of half the extent of the finite points that are not far, whose double may overflow; 0 where they are all
-// in one place.
+// The exponent of half the extent of the finite points that are not far (the extent itself may overflow); 0
+// where they coincide.
 int exponent_of(Points points, const Run& run) {
   PointBox all, box;
   for (const Point& p : points) {
@@ -88,7 +88,7 @@ void scale_report(Report& report, int exponent) {
   }
 }
 
-// Where the map is at the scale of the surface; else it is of size 1.
+// For a map at the scale of the surface; other maps have size 1.
 void scale_map(std::vector<UV>& uv, const Scaled& scaled) {
   const ParameterizeOptions& map = scaled.options.map;
   const bool of_domain = map.uv_scale == UvScale::Domain && traits(map.domain).released;

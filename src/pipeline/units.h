@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clouds so large or small that products of lengths would overflow or vanish: they are worked on in a unit of
-// their own, a power of two, in which they are about one unit wide. The results are the same but for the
-// unit.
+// Scales clouds so large or small that products of lengths would overflow or underflow. They are processed in
+// a unit that is a power of two, in which they are about one unit wide. The results are the same except for
+// the unit.
 #pragma once
 
 #include <optional>
@@ -19,17 +19,17 @@ struct Scaled {
   Given given;
 };
 
-// Nothing for a cloud whose extent is between 2^-32 and 2^32: lengths up to the power of 15 then fit a
-// double.
+// None for a cloud whose extent is between 2^-32 and 2^32: lengths up to the power of 15 then fit a double.
 std::optional<Scaled> scaled_to_unit(Points points, const Options& options, const Given& given,
                                      const Run& run);
 
-// From that unit to the input's. Lengths and areas that the numbers can not hold become infinite or 0.
+// Translates results back to the input's unit. Lengths and areas out of range become infinite or 0.
 void to_input_unit(const Scaled& scaled, const Options& options, BoundaryResult& result);
 void to_input_unit(const Scaled& scaled, const Options& options, ParameterizeResult& result);
 void to_input_unit(const Scaled& scaled, const Options& options, ReconstructResult& result);
 
-// What `method`, a function of rimline/pipeline.h, gives for the scaled cloud, in the unit of the input.
+// Calls `method`, a function of rimline/pipeline.h, on the scaled cloud, and returns its result in the unit
+// of the input.
 template <class Method>
 auto run_scaled(const Method& method, const Scaled& scaled, const Options& options, const Run& run) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people should know of a mesh, a line for each kind of thing.
+// Warnings about a mesh, one line of each kind.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace rimline::pipeline {
 
-// Components that are suspect, failed or were mended.
+// Components that are suspect, failed or were repaired.
 std::vector<std::string> warn_of_components(const std::vector<PatchReport>& patches);
 
 // Components that have another map than the one wanted, or none.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many points a unit of area gets, and so how far apart they lie.
+// The density of points, and so the spacing.
 #pragma once
 
 #include <algorithm>

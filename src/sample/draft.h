@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sample in the making: the points in the order in which they were laid out, without noise.
+// A draft of a sample: the points in the order of their construction, without noise.
 #pragma once
 
 #include <cstdint>
