@@ -10,11 +10,9 @@
 namespace rimline {
 namespace {
 
-std::array<double, 6> products(Point d) {
-  return {d.x * d.x, d.x * d.y, d.x * d.z, d.y * d.y, d.y * d.z, d.z * d.z};
-}
+SecondMoments products(Point d) { return {d.x * d.x, d.x * d.y, d.x * d.z, d.y * d.y, d.y * d.z, d.z * d.z}; }
 
-std::array<double, 10> triple_products(Point d) {
+ThirdMoments triple_products(Point d) {
   const auto [xx, xy, xz, yy, yz, zz] = products(d);
   return {xx * d.x, xx * d.y, xx * d.z, xy * d.y, xy * d.z, xz * d.z, yy * d.y, yy * d.z, yz * d.z, zz * d.z};
 }
@@ -25,7 +23,7 @@ void add(std::array<double, size>& sum, double weight, const std::array<double, 
 }
 
 // Sums of three products of a coordinate and a second moment, in the order of Moments::third.
-std::array<double, 10> crossed(Point d, const std::array<double, 6>& m) {
+ThirdMoments crossed(Point d, const SecondMoments& m) {
   const auto [xx, xy, xz, yy, yz, zz] = m;
   return {3 * d.x * xx,
           2 * d.x * xy + d.y * xx,
@@ -54,9 +52,9 @@ Moments moments_of_part(Points part) {
 }
 
 // The third moment along a direction.
-double skew_along(Point a, const std::array<double, 10>& third) {
-  constexpr std::array<double, 10> times{1, 3, 3, 3, 6, 3, 1, 3, 3, 1};
-  const std::array<double, 10> products = triple_products(a);
+double skew_along(Point a, const ThirdMoments& third) {
+  constexpr ThirdMoments times{1, 3, 3, 3, 6, 3, 1, 3, 3, 1};  // [layout] of each product
+  const ThirdMoments products = triple_products(a);
   double sum = 0;
   for (std::size_t i = 0; i < third.size(); ++i) sum += times[i] * products[i] * third[i];
   return sum;
@@ -97,7 +95,7 @@ OwnFrame own_frame(const Moments& moments) {
   OwnFrame frame;
   frame.centre = moments.mean;
   frame.count = moments.count;
-  std::array<double, 6> variance{};
+  SecondMoments variance{};
   add(variance, 1 / moments.count, moments.second);
   const auto [xx, xy, xz, yy, yz, zz] = variance;
   const double extent = std::sqrt(xx + yy + zz);

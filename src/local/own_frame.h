@@ -10,13 +10,16 @@
 
 namespace rimline {
 
+using SecondMoments = std::array<double, 6>;  // xx, xy, xz, yy, yz, zz [layout]
+using ThirdMoments = std::array<double, 10>;  // xxx, xxy, xxz, xyy, xyz, xzz, yyy, yyz, yzz, zzz [layout]
+
 // The number of points, their mean, and the sums of products of two and of three coordinates relative to it.
 // Moments of parts that share no point, added up, are those of the whole, to rounding (Pebay 2008).
 struct Moments {
   double count = 0;
   Point mean{};
-  std::array<double, 6> second{};  // xx, xy, xz, yy, yz, zz
-  std::array<double, 10> third{};  // xxx, xxy, xxz, xyy, xyz, xzz, yyy, yyz, yzz, zzz
+  SecondMoments second{};
+  ThirdMoments third{};
 
   Moments& operator+=(const Moments& other);
 };
