@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/arena.h"
 
+#include <oneapi/tbb/task_arena.h>
+
 #include <map>
 #include <memory>
 #include <mutex>
@@ -9,37 +11,45 @@
 #include "base/threads.h"
 
 namespace rimline {
-namespace {
 
-// The idle arenas, by their number of threads.
-struct Idle {
-  std::mutex mutex;
-  std::map<int, std::vector<std::unique_ptr<tbb::task_arena>>> of_threads;
+struct Arena::Lent {
+  explicit Lent(int threads) : arena(threads) {}
+  tbb::task_arena arena;
 };
 
-// Never destroyed, because oneTBB may be shut down first.
-Idle& idle() {
-  static Idle& all = *new Idle;
-  return all;
-}
+// The idle arenas, by their number of threads.
+struct IdleArenas {
+  std::mutex mutex;
+  std::map<int, std::vector<std::unique_ptr<Arena::Lent>>> of_threads;
 
-tbb::task_arena* lend(int threads) {
-  const std::lock_guard lock(idle().mutex);
-  auto& waiting = idle().of_threads[threads];
-  if (waiting.empty()) return new tbb::task_arena(threads);
-  tbb::task_arena* const last = waiting.back().release();
+  // Never destroyed, because oneTBB may be shut down first.
+  static IdleArenas& all() {
+    static IdleArenas& arenas = *new IdleArenas;
+    return arenas;
+  }
+};
+
+Arena::Lent* Arena::lend(int threads) {
+  IdleArenas& idle = IdleArenas::all();
+  const std::lock_guard lock(idle.mutex);
+  auto& waiting = idle.of_threads[threads];
+  if (waiting.empty()) return new Lent(threads);
+  Lent* const last = waiting.back().release();
   waiting.pop_back();
   return last;
 }
 
-}  // namespace
-
 Arena::Arena(const Run& run) : threads_(thread_count(run)), lent_(lend(threads_)) {}
 
 Arena::~Arena() {
-  std::unique_ptr<tbb::task_arena> back(lent_);
-  const std::lock_guard lock(idle().mutex);
-  idle().of_threads[threads_].push_back(std::move(back));
+  std::unique_ptr<Lent> back(lent_);
+  IdleArenas& idle = IdleArenas::all();
+  const std::lock_guard lock(idle.mutex);
+  idle.of_threads[threads_].push_back(std::move(back));
+}
+
+void Arena::enter(void (*call)(const void*), const void* work) {
+  lent_->arena.execute([&] { call(work); });
 }
 
 }  // namespace rimline

@@ -2,9 +2,6 @@
 // Parallel loops whose result does not depend on the number of threads: item i writes slot i, nothing else.
 #pragma once
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -14,6 +11,30 @@
 #include "rimline/run.h"
 
 namespace rimline {
+
+// Calls call(body, begin, end) for slices of [first, last) of about `grain` items, in the arena of the
+// caller.
+void run_slices(std::size_t first, std::size_t last, std::size_t grain,
+                void (*call)(const void* body, std::size_t begin, std::size_t end), const void* body);
+
+// The same for any function body(begin, end).
+template <class Body>
+void run_slices(std::size_t first, std::size_t last, std::size_t grain, const Body& body) {
+  run_slices(
+      first, last, grain,
+      [](const void* own, std::size_t begin, std::size_t end) {
+        (*static_cast<const Body*>(own))(begin, end);
+      },
+      &body);
+}
+
+// Calls body(k) for every k in [0, count), in the arena of the caller.
+template <class Body>
+void run_tasks(std::size_t count, const Body& body) {
+  run_slices(0, count, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) body(k);
+  });
+}
 
 // Calls body(begin, end) over slices of [0, count). Progress is reported by the thread that called, between
 // batches of slices; a cancelled run throws Error{Cancelled} there. `grain` is the number of items in one
@@ -27,8 +48,8 @@ void parallel_slices(std::size_t count, Stage stage, const Run& run, const Body&
     run.progress(stage, first, count);
     const std::size_t last = std::min(count, first + batch);
     arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, grain), [&](const auto& range) {
-        if (!run.cancelled()) body(range.begin(), range.end());
+      run_slices(first, last, grain, [&](std::size_t begin, std::size_t end) {
+        if (!run.cancelled()) body(begin, end);
       });
     });
   }
@@ -41,7 +62,7 @@ void parallel_tasks(std::size_t count, Stage stage, const Run& run, const Body& 
   run.progress(stage, 0, count);
   Arena arena(run);
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+    run_tasks(count, [&](std::size_t k) {
       if (!run.cancelled()) body(k);
     });
   });

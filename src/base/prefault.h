@@ -3,9 +3,6 @@
 // all pages, which can take longer than computing the values.
 #pragma once
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <cstddef>
 #include <vector>
 
@@ -22,7 +19,7 @@ void resize_together(std::vector<T>& items, std::size_t count, const Run& run, s
   const std::size_t bytes = count * sizeof(T);
   if (bytes >= 4 * block_size) {
     Arena(run).execute([&] {
-      tbb::parallel_for(std::size_t{0}, bytes / block_size, [&](std::size_t block) {
+      run_tasks(bytes / block_size, [&](std::size_t block) {
         char* const from = first + block * block_size;
         for (std::size_t i = 0; i < block_size; i += page) *static_cast<volatile char*>(from + i) = 0;
       });

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/triangulation.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <utility>
+
+#include "base/parallel.h"
 
 namespace rimline {
 
@@ -27,8 +26,8 @@ Triangulation triangulation_of(std::vector<Triangle> triangles, Index vertex_cou
   for (Index t = 0; t < mesh.size(); ++t) {
     for (int c = 0; c < 3; ++c) leaving[at[mesh.triangles[t][c]]++] = {mesh.triangles[t][next(c)], t};
   }
-  tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.size(), 4096), [&](const auto& range) {
-    for (Index t = range.begin(); t < range.end(); ++t) {
+  run_slices(0, mesh.triangles.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (auto t = static_cast<Index>(begin); t < static_cast<Index>(end); ++t) {
       for (int c = 0; c < 3; ++c) {
         const Index from = mesh.triangles[t][next(c)], to = mesh.triangles[t][previous(c)];
         for (Index e = offsets[to]; e < offsets[to + 1]; ++e) {

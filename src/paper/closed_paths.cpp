@@ -121,7 +121,7 @@ ClosedPaths find_closed_paths(const Neighbours& neighbours, const BoundaryScores
     run.progress(Stage::Loops, result.starts, starts.size());
     const std::size_t count = std::min(batch, starts.size() - result.starts);
     arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      run_tasks(count, [&](std::size_t i) {
         ClosedPath& path = found[i];
         path.ids = run.cancelled() ? std::vector<Index>{} : searchers.local().find(starts[result.starts + i]);
         std::sort(path.ids.begin(), path.ids.end());

@@ -66,8 +66,8 @@ std::vector<Meshed> mesh_all(const std::vector<PatchInput>& parts, const Mesh& m
   for (std::size_t first = 0; first < small.size(); first += batch) {
     run.progress(Stage::Refine, first, small.size());
     arena.execute([&] {
-      tbb::parallel_for(first, std::min(first + batch, small.size()),
-                        [&](std::size_t i) { keep(small[i], alone); });
+      const std::size_t count = std::min(batch, small.size() - first);
+      run_tasks(count, [&](std::size_t i) { keep(small[first + i], alone); });
     });
   }
   run.check_cancel();

@@ -3,11 +3,10 @@
 // order by one thread, and the blocks are always the same.
 #pragma once
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <vector>
 
+#include "base/parallel.h"
 #include "solve/sparse.h"
 
 namespace rimline {
@@ -21,7 +20,8 @@ template <class Body>
 void for_each_block(Index n, const Body& body) {
   const auto run_block = [&](Index k) { body(k, k * rows_per_block, std::min(n, (k + 1) * rows_per_block)); };
   if (block_count(n) == 1) return run_block(0);
-  tbb::parallel_for(Index{0}, block_count(n), run_block);
+  run_tasks(static_cast<std::size_t>(block_count(n)),
+            [&](std::size_t k) { run_block(static_cast<Index>(k)); });
 }
 
 // Calls body(row) for every row.

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 #include <unistd.h>
 
 #include <atomic>
