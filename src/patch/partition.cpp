@@ -268,7 +268,7 @@ Partition partition(Index n, const std::function<const Stars&()>& stars, const s
   return result;
 }
 
-void leave_out(const std::vector<Index>& points, Partition& parts) {
+Partition without_points(Partition parts, const std::vector<Index>& points) {
   for (PatchInput& patch : parts.patches) {
     std::vector<Index> number(patch.points.size(), none), kept;
     for (std::size_t i = 0; i < patch.points.size(); ++i) {
@@ -287,6 +287,7 @@ void leave_out(const std::vector<Index>& points, Partition& parts) {
   parts.left_out.insert(parts.left_out.end(), points.begin(), points.end());
   std::sort(parts.left_out.begin(), parts.left_out.end());
   parts.left_out.erase(std::unique(parts.left_out.begin(), parts.left_out.end()), parts.left_out.end());
+  return parts;
 }
 
 }  // namespace rimline

@@ -31,6 +31,6 @@ Partition partition(Index points, const std::function<const Stars&()>& stars, co
                     const std::vector<Triangle>& surface);
 
 // Removes points, ascending and on no loop, from the patches.
-void leave_out(const std::vector<Index>& points, Partition& parts);
+Partition without_points(Partition parts, const std::vector<Index>& points);
 
 }  // namespace rimline

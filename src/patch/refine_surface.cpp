@@ -169,7 +169,8 @@ Surface refine_surface(Points points, const Neighbours& neighbours, const std::v
     return *stars;
   };
   Partition whole = partition(static_cast<Index>(points.size()), find, loops, surface_triangles);
-  if (options.leave_beside) leave_out(points_beside(points, neighbours, loops, surface_triangles), whole);
+  if (options.leave_beside)
+    whole = without_points(std::move(whole), points_beside(points, neighbours, loops, surface_triangles));
   std::vector<PatchInput>& parts = whole.patches;
   check_corners(parts, options);
   const std::vector<Triangle> agreed =

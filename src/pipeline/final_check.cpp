@@ -15,14 +15,14 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-void drop_turned_maps(MappedMesh& mesh) {
+MappedMesh without_turned_maps(MappedMesh mesh) {
   std::vector<char> turned(mesh.components.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Index c = mesh.triangle_patch[t];
     if (has_map(mesh.components[c].map) && !(twice_area(mesh.uv, mesh.triangles[t]) > 0)) turned[c] = 1;
   }
   const auto count = std::ranges::count(turned, 1);
-  if (count == 0) return;
+  if (count == 0) return mesh;
   for (std::size_t v = 0; v < mesh.uv.size(); ++v) {
     if (mesh.patch[v] != none && turned[mesh.patch[v]]) mesh.uv[v] = {nan, nan};
   }
@@ -32,6 +32,7 @@ void drop_turned_maps(MappedMesh& mesh) {
   mesh.warnings.push_back(fmt::format(
       "the domain's maps of {} components are left out: they have triangles without area in double precision",
       count));
+  return mesh;
 }
 
 std::vector<Loop> loops_of(const MappedMesh& mesh, Index component) {
@@ -55,23 +56,26 @@ std::string fault_of_component(const MappedMesh& mesh, Index component, const Ru
                   run);
 }
 
-// Inserts the entry by its size.
-void list(Index component, const std::string& fault, const PreparedPoints& prepared, MappedMesh& mesh) {
+// The list with an entry for the component, by its size.
+std::vector<LeftOut> listed(const MappedMesh& mesh, Index component, const std::string& fault,
+                            const PreparedPoints& prepared) {
   std::vector<Index> points;
   for (Index v = 0; v < static_cast<Index>(prepared.points().size()); ++v) {
     if (mesh.patch[v] == component) points.push_back(v);
   }
-  if (points.empty()) return;
+  std::vector<LeftOut> all = mesh.left_out;
+  if (points.empty()) return all;
   LeftOut part = points_left_out(prepared, points);
   part.component = component;
   part.cause = fault;
   part.remedy = remedy_of_component;
-  const auto at = std::ranges::find_if(
-      mesh.left_out, [&](const LeftOut& other) { return other.ids.size() < part.ids.size(); });
-  mesh.left_out.insert(at, std::move(part));
+  const auto at =
+      std::ranges::find_if(all, [&](const LeftOut& other) { return other.ids.size() < part.ids.size(); });
+  all.insert(at, std::move(part));
+  return all;
 }
 
-void leave_out(Index component, const std::string& fault, MappedMesh& mesh) {
+MappedMesh without_component(MappedMesh mesh, Index component, const std::string& fault) {
   std::erase_if(mesh.loops, [&](const Loop& loop) { return mesh.patch[loop.points.front()] == component; });
   std::vector<Triangle> triangles;
   std::vector<Index> owner;
@@ -95,12 +99,13 @@ void leave_out(Index component, const std::string& fault, MappedMesh& mesh) {
   summary.map = Domain::None;
   summary.failure = fault;
   mesh.warnings.push_back(fmt::format("component {} is left out: {}", component, fault));
+  return mesh;
 }
 
 }  // namespace
 
 MappedMesh checked(MappedMesh mesh, const PreparedPoints& prepared, const Run& run) {
-  drop_turned_maps(mesh);
+  mesh = without_turned_maps(std::move(mesh));
   const bool orientable = std::ranges::all_of(mesh.components, &ComponentSummary::orientable);
   if (mesh.triangles.empty() ||
       fault_of(mesh.triangles, mesh.vertices.size(), mesh.loops, orientable, run).empty())
@@ -108,8 +113,8 @@ MappedMesh checked(MappedMesh mesh, const PreparedPoints& prepared, const Run& r
   for (std::size_t c = 0; c < mesh.components.size(); ++c) {
     const std::string fault = fault_of_component(mesh, static_cast<Index>(c), run);
     if (fault.empty()) continue;
-    list(static_cast<Index>(c), fault, prepared, mesh);
-    leave_out(static_cast<Index>(c), fault, mesh);
+    mesh.left_out = listed(mesh, static_cast<Index>(c), fault, prepared);
+    mesh = without_component(std::move(mesh), static_cast<Index>(c), fault);
   }
   return mesh;
 }

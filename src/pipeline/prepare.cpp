@@ -23,6 +23,19 @@ void check_corners(Points input, const ParameterizeOptions& map) {
   }
 }
 
+// Points with their neighbours and spacings.
+struct Sampled {
+  Arrangement arrangement;
+  Neighbours neighbours;
+  std::vector<double> spacing;
+};
+
+Sampled with_neighbours(Arrangement arrangement, int k, const Run& run) {
+  Neighbours neighbours = find_neighbours(arrangement.points, k, run);
+  std::vector<double> spacing = local_spacing(arrangement.points, neighbours, run);
+  return {std::move(arrangement), std::move(neighbours), std::move(spacing)};
+}
+
 // Without points on given loops: they are wanted.
 StrayPoints without_given(StrayPoints stray, const Arrangement& arrangement, const std::vector<Loop>& loops) {
   std::vector<Index> given;
@@ -35,17 +48,17 @@ StrayPoints without_given(StrayPoints stray, const Arrangement& arrangement, con
 
 // Removes stray points until none is found, and finds the neighbours of the others. Some can be found only
 // after those beside them were removed.
-void leave_out_dirt(Arrangement& arrangement, Neighbours& neighbours, std::vector<double>& spacing, int k,
-                    const std::vector<Loop>& given, const Run& run) {
+Sampled without_stray_points(Sampled sampled, int k, const std::vector<Loop>& given, const Run& run) {
   constexpr int most_rounds = 4;
   for (int round = 0; round < most_rounds; ++round) {
+    const auto& [arrangement, neighbours, spacing] = sampled;
     const StrayPoints stray =
         without_given(find_stray_points(arrangement.points, neighbours, spacing, run), arrangement, given);
     if (stray.empty()) break;
-    leave_out(arrangement, all_of(stray));
-    neighbours = find_neighbours(arrangement.points, k, run);
-    spacing = local_spacing(arrangement.points, neighbours, run);
+    leave_out(sampled.arrangement, all_of(stray));
+    sampled = with_neighbours(std::move(sampled.arrangement), k, run);
   }
+  return sampled;
 }
 
 }  // namespace
@@ -64,14 +77,14 @@ PreparedPoints prepare(Points input, const Options& options, const Given& given,
   clock.enter(Stage::Arrange);
   Arrangement arrangement = arrange(input, run);
   clock.enter(Stage::Neighbours);
-  Neighbours neighbours = find_neighbours(arrangement.points, k, run);
-  if (leave_out_stray(arrangement, neighbours, run)) {
-    neighbours = find_neighbours(arrangement.points, k, run);
-  }
-  std::vector<double> spacing = local_spacing(arrangement.points, neighbours, run);
-  if (counts(UsedBy::Default, options)) leave_out_dirt(arrangement, neighbours, spacing, k, given.loops, run);
-  const SpacingSummary summary = summarize_spacing(spacing, run);
-  return {input, std::move(arrangement), std::move(neighbours), std::move(spacing), summary};
+  Sampled sampled = with_neighbours(std::move(arrangement), k, run);
+  if (leave_out_stray(sampled.arrangement, sampled.neighbours, run))
+    sampled = with_neighbours(std::move(sampled.arrangement), k, run);
+  if (counts(UsedBy::Default, options))
+    sampled = without_stray_points(std::move(sampled), k, given.loops, run);
+  const SpacingSummary summary = summarize_spacing(sampled.spacing, run);
+  return {input, std::move(sampled.arrangement), std::move(sampled.neighbours), std::move(sampled.spacing),
+          summary};
 }
 
 }  // namespace rimline::pipeline

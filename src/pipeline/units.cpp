@@ -108,22 +108,25 @@ std::optional<Scaled> scaled_to_unit(Points points, const Options& options, cons
   return scaled;
 }
 
-void to_input_unit(const Scaled& scaled, const Options& options, BoundaryResult& result) {
+BoundaryResult in_input_unit(BoundaryResult result, const Scaled& scaled, const Options& options) {
   for (Loop& loop : result.loops) scale(loop.length, scaled.exponent);
   scale_report(result.report, scaled.exponent);
   result.report.options = options;
+  return result;
 }
 
-void to_input_unit(const Scaled& scaled, const Options& options, ParameterizeResult& result) {
-  to_input_unit(scaled, options, result.boundary);
+ParameterizeResult in_input_unit(ParameterizeResult result, const Scaled& scaled, const Options& options) {
+  result.boundary = in_input_unit(std::move(result.boundary), scaled, options);
   scale_map(result.uv, scaled);
+  return result;
 }
 
-void to_input_unit(const Scaled& scaled, const Options& options, ReconstructResult& result) {
-  to_input_unit(scaled, options, result.boundary);
+ReconstructResult in_input_unit(ReconstructResult result, const Scaled& scaled, const Options& options) {
+  result.boundary = in_input_unit(std::move(result.boundary), scaled, options);
   scale_map(result.uv, scaled);
   scale_map(result.seams.uv, scaled);
   scale(result.added, scaled.exponent);
+  return result;
 }
 
 }  // namespace rimline::pipeline

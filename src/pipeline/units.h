@@ -24,20 +24,18 @@ std::optional<Scaled> scaled_to_unit(Points points, const Options& options, cons
                                      const Run& run);
 
 // Translates results back to the input's unit. Lengths and areas out of range become infinite or 0.
-void to_input_unit(const Scaled& scaled, const Options& options, BoundaryResult& result);
-void to_input_unit(const Scaled& scaled, const Options& options, ParameterizeResult& result);
-void to_input_unit(const Scaled& scaled, const Options& options, ReconstructResult& result);
+BoundaryResult in_input_unit(BoundaryResult result, const Scaled& scaled, const Options& options);
+ParameterizeResult in_input_unit(ParameterizeResult result, const Scaled& scaled, const Options& options);
+ReconstructResult in_input_unit(ReconstructResult result, const Scaled& scaled, const Options& options);
 
 // Calls `method`, a function of rimline/pipeline.h, on the scaled cloud, and returns its result in the unit
 // of the input.
 template <class Method>
 auto run_scaled(const Method& method, const Scaled& scaled, const Options& options, const Run& run) {
   try {
-    auto result = method(scaled.points, scaled.options, run, scaled.given);
-    to_input_unit(scaled, options, result);
-    return result;
+    return in_input_unit(method(scaled.points, scaled.options, run, scaled.given), scaled, options);
   } catch (NoMesh& error) {
-    to_input_unit(scaled, options, error.found);
+    error.found = in_input_unit(std::move(error.found), scaled, options);
     throw;
   }
 }
