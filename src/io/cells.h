@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cells of a line of a table: how they are parted and how their numbers are written.
+// The cells of a line of a table: separators and number formats.
 #pragma once
 
 #include <string_view>
@@ -19,7 +19,8 @@ struct CellStyle {
 // Whether a line starts with #, // or %.
 bool is_comment(std::string_view line);
 
-// Behind the quotes that begin at `at`, in which nothing parts; `at` where there are none.
+// The position after the quotes that begin at `at`, inside of which nothing separates; `at` where there are
+// none.
 const char* after_quotes(const char* at, const char* end);
 
 // Cells of a line: parted by blanks, or one separator with blanks around it. A separator at the end of the
@@ -29,14 +30,14 @@ std::vector<std::string_view> split(std::string_view line, CellStyle style);
 // True where all of the cell is one number.
 bool is_number(std::string_view cell, CellStyle style);
 
-// How the lines of a table write numbers, as the first of them that can tell does: 1,5;2,5;3,5 has decimal
-// commas, and so has 1,5 2,5 3,5. (In 1,5,2,5,3,5 nothing tells the commas apart.)
+// The number format of a table, by the first line that determines it: 1,5;2,5;3,5 has decimal commas, and so
+// has 1,5 2,5 3,5. (1,5,2,5,3,5 is ambiguous.)
 CellStyle style_of(std::string_view text);
 
 // The cells of a line with commas or semicolons, in which blanks part nothing.
 std::vector<std::string_view> split_hard(std::string_view line, CellStyle style);
 
-// Which cells of a line are taken: all but those of text.
+// The cells of a line that are read: all but text.
 struct Columns {
   std::size_t count = 0;        // of a line
   std::vector<char> text = {};  // 1 for each that is left out; empty where none is

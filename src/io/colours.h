@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colours of points, whatever numbers a file has for them.
+// The colours of points, for any number type of a file.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace rimline::io {
 
 struct Colours {
   std::array<const Column*, 3> channels{};
-  double white = 255;  // what a full channel is in the file
+  double white = 255;  // value of a full channel in the file
 
   // From 0 to 1; 0 where there is no number.
   double share(Index point, std::size_t channel) const;

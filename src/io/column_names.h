@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the columns of a table are: by their header, or by what they hold.
+// The meaning of the columns of a table, by its header or by its content.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ std::vector<std::string> header_names(std::string_view line);
 struct Coordinates {
   std::array<std::size_t, 3> columns{};
   std::string unit = {};     // "mm", where the header says it of all three
-  std::string warning = {};  // what a reader of the result should know of the choice; may be empty
+  std::string warning = {};  // a remark on the choice for the user; may be empty
 };
 
 // By their names: x y z; X [mm]; easting northing elevation; longitude latitude elevation; names that differ

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faces of points that are known, checked as they come. Polygons become fans.
+// Collects faces over known points, checked as they are read. Polygons become fans.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace rimline::io {
 
 class Faces {
  public:
-  enum class Place { Line, Byte };  // how a message tells where the file is wrong
+  enum class Place { Line, Byte };  // how a message names a position in the file
 
   Faces(const Source& source, std::size_t points) : source_(source), points_(points) {}
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points by their class and return, as scanners from the air give them.
+// Selects points by class and return, properties of airborne scans.
 #include <algorithm>
 #include <cctype>
 #include <set>

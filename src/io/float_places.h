@@ -15,16 +15,15 @@ struct Box {
   void add(Point p);  // where it is finite
 };
 
-// Of the corners of the triangles; of all points where there are no triangles. A point far from the mesh is
-// none of its business.
+// Adds the corners of the triangles; without triangles all points. Points far from the mesh must not count.
 Box box_of_corners(const MeshToWrite& mesh);
 
-// Whether floats can hold a point; what they make of one that they can.
+// Whether floats can hold a point, and the rounded point.
 bool floats_hold(Point p);
 Point as_floats(Point p);
 
-// What is taken off all coordinates before they are made floats: nothing where floats hold the corners to a
-// millionth of the diagonal of their box, else a round point near its middle.
+// The offset subtracted from all coordinates before they become floats: zero where floats hold the corners to
+// a millionth of the diagonal of their box, else a round point near its middle.
 Point offset_for_floats(const MeshToWrite& mesh);
 
 // Throws CannotWrite where two corners of a triangle that differ become one when `offset` is taken off and

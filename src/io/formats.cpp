@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is looked up in the table of formats.
+// Lookups in the table of formats.
 #include "io/formats.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace rimline {
 namespace io {
 namespace {
 
-// Files that are known, and known not to be readable.
+// Known formats that can not be read.
 struct Refused {
   std::string_view start;
   const char* message;
@@ -33,14 +33,14 @@ bool has_ending(const Format& format, std::string_view ending) {
   return std::ranges::find(format.about.endings, ending) != format.about.endings.end();
 }
 
-// Of the file that is packed, where it is: scan.csv.gz holds a csv.
+// Of the packed file, if packed: scan.csv.gz holds a csv.
 std::string ending_inside(const Source& source) {
   const std::string ending = lower_ending(source.name());
   if (source.packing().empty() || ending != "gz") return ending;
   return lower_ending(std::string_view(source.name()).substr(0, source.name().size() - 3));
 }
 
-// The content says nothing that would be enough: the ending must be true, or else all is a table of numbers.
+// The content is not conclusive: the ending decides, else the file is a table of numbers.
 const Format& format_by_ending(const Source& source) {
   if (is_utf16(source.bytes())) source.fail("is UTF-16 text; save it as UTF-8");
   const std::string ending = ending_inside(source);

@@ -14,10 +14,10 @@ namespace rimline::io {
 
 struct Format {
   FileFormat about;
-  // Whether the content says so. `bytes` are all of the file.
+  // Whether the content has this format. `bytes`: the whole file.
   bool (*told)(std::string_view bytes) = nullptr;
-  // Where the content says nothing: whether a file of that ending may still be one. Without it the ending
-  // is a lie, and `start` is what the file should begin with.
+  // For inconclusive content: whether a file of that ending may have this format. Without it the ending must
+  // be wrong, and `start` describes what the file should begin with.
   bool (*may_be)(std::string_view bytes) = nullptr;
   const char* start = nullptr;
   Cloud (*read)(const Source&, const Run&) = nullptr;

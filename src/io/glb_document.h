@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a glTF 2.0 binary holds, checked: its JSON, its buffer, and the primitives that its scene shows.
+// The checked content of a glTF 2.0 binary: its JSON, its buffer, and the primitives of its scene.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct GlbAccessor {
   const char* replacements = nullptr;
 
   double value(std::size_t item, std::size_t number) const;
-  // Where an item stands; none where it is zero.
+  // The position of an item; none where it is zero.
   const char* place(std::size_t item) const;
 };
 

@@ -26,7 +26,7 @@ Point turned(const GlbMatrix& m, Point n) {
   return length > 0 ? (1 / length) * sum : Point{};
 }
 
-// What one primitive gives; the numbers of its items are the same.
+// The content of one primitive, as many items of each kind.
 struct Primitive {
   GlbMatrix place;
   GlbAccessor positions;
@@ -57,7 +57,7 @@ std::vector<Primitive> primitives_of(const GlbDocument& document, const Source& 
   document.visit_primitives([&](const Json& json, const GlbMatrix& place) {
     result.push_back(primitive_of(document, json, place));
     count += result.back().positions.count;
-    // A mesh that is shown many times is as large as that; the file bounds it no more.
+    // A mesh that is used many times counts as often; the file size is no bound.
     if (count > 64 * source.bytes().size()) document.fail("shows its meshes too often");
     check_point_count(source, count);
   });

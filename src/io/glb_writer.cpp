@@ -35,7 +35,7 @@ class Document {
     size_ += count * item_bytes;  // all items are of four bytes or a multiple: always aligned
     return view;
   }
-  // A picture: after all else, as its size may be odd.
+  // A picture is written last, because its size may be odd.
   void add_image(std::size_t bytes) {
     image_ = static_cast<int>(views_.size());
     views_.push_back({{"buffer", 0}, {"byteOffset", size_}, {"byteLength", bytes}});
@@ -44,7 +44,7 @@ class Document {
   Json& accessor(int number) { return accessors_[static_cast<std::size_t>(number)]; }
   std::size_t size() const { return size_; }
 
-  // `about` says what the standard has no word for.
+  // `about`: extra data that the standard has no field for.
   std::string text(const Json& primitive, Point translation, const Json& about) const {
     Json json = {{"asset", {{"version", "2.0"}, {"generator", "rimline"}, {"extras", about}}}, {"scene", 0}};
     json["scenes"] = Json::array({{{"nodes", {0}}}});
@@ -76,7 +76,7 @@ class Document {
   int image_ = no_image;
 };
 
-// What the vertices carry: one for each point, then one for each place on a seam.
+// The attributes of the vertices: one for each point, then one for each position on a seam.
 struct Attributes {
   Points points;
   const Seams& seams;
@@ -225,7 +225,7 @@ Point write_glb(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   file.little(static_cast<std::uint32_t>(document.size()));
   file.little(buffer_chunk);
   write_buffer(file, attributes, mesh, run);
-  return {};  // what is taken off is in the file, as the node's translation
+  return {};  // the offset is in the file, as the node's translation
 }
 
 }  // namespace rimline::io

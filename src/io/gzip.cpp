@@ -22,7 +22,7 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  // Unpacks from `in` to `out` and takes off both what was used; Z_OK, Z_STREAM_END, or what is wrong.
+  // Unpacks from `in` to `out` and removes what was used from both; returns Z_OK, Z_STREAM_END, or the error.
   int step(std::string_view& in, char*& out, std::size_t room) {
     const std::size_t take = std::min(in.size(), most_per_call);
     state_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(in.data()));

@@ -21,7 +21,7 @@ std::string number_text(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-// A value as it may be quoted: writing out a deep nest would take as deep a stack.
+// A value quoted in a message: writing a deep nest would need as deep a stack.
 std::string quoted(const Json& value) {
   return value.is_structured() ? std::string("an ") + value.type_name() : io::quoted(value.dump());
 }
@@ -31,15 +31,15 @@ class LoopsReader {
   LoopsReader(const io::Source& source, std::size_t point_count)
       : source_(source), point_count_(point_count) {}
 
-  // The tree that the text becomes takes up to 32 bytes a byte: of brackets, or of short numbers in lists that
-  // grow.
+  // The tree that the text becomes takes up to 32 bytes a byte: of brackets, or of short numbers in lists
+  // that grow.
   void check_limit(const Run& run) const {
     constexpr std::size_t tree = 32;
     if (run.memory_limit == 0 || source_.bytes().size() <= run.memory_limit / tree) return;
-    throw Error(ErrorCode::OutOfMemory,
-                source_.name() + ": its loops may need " + std::to_string(tree * source_.bytes().size()) +
-                    " bytes, more than the memory limit of " + std::to_string(run.memory_limit) +
-                    "; raise the limit");
+    throw Error(ErrorCode::OutOfMemory, source_.name() + ": its loops may need " +
+                                            std::to_string(tree * source_.bytes().size()) +
+                                            " bytes, more than the memory limit of " +
+                                            std::to_string(run.memory_limit) + "; raise the limit");
   }
 
   std::vector<Loop> read() const {

@@ -57,8 +57,8 @@ void write_material(const std::string& path, const std::string& picture) {
              "newmtl surface\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + image.name + "\n");
 }
 
-// OBJ and OFF have no NaN. Points without a finite place are in no triangle; they are put where the first
-// point is that has one, which no reader minds.
+// OBJ and OFF have no NaN. Points without a finite position are in no triangle; they are written at the first
+// finite point.
 class FinitePlaces {
  public:
   explicit FinitePlaces(const Cloud& cloud) : cloud_(cloud) {
@@ -108,7 +108,7 @@ void write_obj_uv(SafeFile& file, const MeshToWrite& mesh, const Run& run) {
   });
 }
 
-// The input's normals as they came, or else those of the mesh, as floats: nobody needs more of them.
+// The input's normals, or else those of the mesh, as floats: more digits are not needed.
 void write_obj_normals(SafeFile& file, const Cloud& cloud, const Triangles& triangles, const Run& run) {
   std::vector<Point> normals = cloud.normals();
   const bool given = !normals.empty();

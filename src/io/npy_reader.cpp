@@ -120,7 +120,7 @@ void read_type(Literal& in, const std::string& name, NpyHeader& header) {
 }
 
 void read_descr(Literal& in, NpyHeader& header) {
-  constexpr std::size_t most = 100000;  // fields: beyond it the header is junk
+  constexpr std::size_t most = 100000;  // largest number of fields: beyond it the header is invalid
   if (!in.take('[')) {
     read_type(in, "", header);
     return;

@@ -126,7 +126,8 @@ std::string ply_name(const std::string& name) {
 
 // One Field for each number of a record: a PCD field may hold several. Padding, named "_", is included.
 std::vector<Field> fields_of(const PcdHeader& header, const Source& source) {
-  constexpr std::uint64_t most = 100000;  // numbers per point: beyond it the header is junk
+  constexpr std::uint64_t most =
+      100000;  // largest number of values per point: beyond it the header is invalid
   std::vector<Field> fields;
   for (const PcdField& field : header.fields) {
     const auto type = type_of(field.type, field.size);

@@ -96,7 +96,7 @@ std::vector<Field> fields_of(const PlyElement& element) {
   return fields;
 }
 
-// No count is believed before the file has been seen to be large enough for it.
+// A count is used only after the file was checked to be large enough for it.
 void check_room(const char* at, const PlyElement& element, std::size_t least_bytes, const Source& source) {
   check_point_count(source, element.count);
   if (least_bytes == 0 || source.bytes_from(at) / least_bytes < element.count)

@@ -24,7 +24,7 @@ std::size_t count_unmapped(const MeshToWrite& mesh) {
   return count;
 }
 
-// Said in the file itself: what reads it may take NaN for a fault.
+// A comment in the file: its reader could take NaN for an error.
 std::string comment_on_map(const MeshToWrite& mesh) {
   std::string text;
   if (const std::size_t unmapped = count_unmapped(mesh); unmapped > 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PTX (Leica): scan after scan, each with the sides of its raster, the pose of the scanner, a matrix, and a
-// line for each cell: x y z, then intensity, then maybe r g b. A cell that saw nothing is 0 0 0.
+// PTX (Leica): several scans, each with the size of its raster, the pose of the scanner, a matrix, and a line
+// for each cell: x y z, then intensity, then possibly r g b. A cell without a return is 0 0 0.
 #include <array>
 #include <limits>
 

@@ -11,7 +11,7 @@ namespace {
 
 Cloud read_as(const Format& format, const Source& source, const Run& run) {
   Cloud cloud = format.read(source, run);
-  if (cloud.format.empty()) cloud.format = format.about.name;  // some tell their kind themselves
+  if (cloud.format.empty()) cloud.format = format.about.name;  // some readers set a more specific name
   if (!source.packing().empty()) cloud.format += ", in " + source.packing();
   if (cloud.points.empty()) source.fail("has no points; export it again, with its vertices");
   source.progress(run, source.end());

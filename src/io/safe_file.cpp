@@ -42,7 +42,7 @@ std::string link_target(const std::string& path) {
   return target.front() == '/' ? target : directory_of(path) + "/" + target;
 }
 
-// What to do where the system refuses an output for that reason.
+// The remedy where the system refuses an output for that reason.
 const char* remedy_of(int reason) {
   switch (reason) {
     case ENOSPC:
@@ -133,7 +133,7 @@ SafeFile::SafeFile(std::string path) : path_(std::move(path)), buffer_(buffer_si
     if (descriptor_ < 0) fail("cannot be opened");
     return;
   }
-  open_temporary(exists ? 0600 : 0666);  // nobody is to read what the old file kept to itself
+  open_temporary(exists ? 0600 : 0666);  // the old file's content must not become readable
   if (exists) keep_owner_and_mode(descriptor_, status);
 }
 

@@ -37,7 +37,7 @@ void append(double value, std::vector<std::byte>& bytes) {
   bytes.insert(bytes.end(), from, from + sizeof(T));
 }
 
-// Before any is taken: what the points will need. A compressed file can hold many.
+// Checks the memory for all points in advance: a compressed file can hold many.
 void check_memory(const Source& source, const Cloud& cloud, std::uint64_t count, const Run& run) {
   std::uint64_t size = sizeof(Point);
   for (const Column& column : cloud.columns) size += size_in_bytes(column.type);
@@ -48,7 +48,7 @@ void check_memory(const Source& source, const Cloud& cloud, std::uint64_t count,
                   std::to_string(run.memory_limit) + "; raise the limit or thin the cloud");
 }
 
-// What the file says of its types bounds the numbers; one beyond them is made to fit.
+// The declared types bound the numbers; a number out of range is clamped.
 template <class T>
 void append_bounded(double value, std::vector<std::byte>& bytes) {
   constexpr double least = std::numeric_limits<T>::min(), most = std::numeric_limits<T>::max();
@@ -87,7 +87,7 @@ Cloud read_scan(const Source& source, const Run& run) {
   check_point_count(source, count);
   Cloud cloud = empty_cloud(scan);
   check_memory(source, cloud, count, run);
-  // Few formats hold a point in less than a byte; what announces more has to show them first.
+  // Few formats hold a point in less than a byte; a file that announces more must contain them first.
   const auto sure = static_cast<std::size_t>(std::min<std::uint64_t>(count, source.bytes().size()));
   cloud.points.reserve(sure);
   for (Column& column : cloud.columns) column.bytes.reserve(sure * size_in_bytes(column.type));

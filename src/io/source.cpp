@@ -94,7 +94,7 @@ Source load_stream(int descriptor, const std::string& name, const Run& run) {
 }
 
 Source load_file(int descriptor, std::size_t size, const std::string& name, const Run& run) {
-  // Not mapped: a file that another program cuts short meanwhile would end us with a signal.
+  // Not memory-mapped: a file truncated meanwhile by another program would end the process with a signal.
   auto storage = std::make_unique_for_overwrite<char[]>(size);
   std::size_t have = 0;
   while (have < size) {
@@ -107,7 +107,7 @@ Source load_file(int descriptor, std::size_t size, const std::string& name, cons
   return Source(name, std::move(storage), have);
 }
 
-// What to do, where the message does not tell it itself, after a semicolon.
+// The remedy, after a semicolon, where the message has none.
 std::string with_remedy(const std::string& message, const char* remedy) {
   return message.find(';') != std::string::npos ? message : message + "; " + remedy;
 }

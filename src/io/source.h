@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bytes of an input, and how to complain about a place in them.
+// The bytes of an input, and errors at positions in it.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STL: triangles that share nothing; corners with equal coordinates become one point, in order of appearance.
+// STL: triangles without shared vertices; corners with equal coordinates become one point, in order of
+// appearance.
 #include <bit>
 #include <cstdint>
 #include <cstring>

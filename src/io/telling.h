@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a file is, by its content alone.
+// Recognizes file formats by content.
 #pragma once
 
 #include <string>

@@ -48,7 +48,7 @@ std::optional<std::uint64_t> count_of(const std::vector<std::string_view>& cells
   return count;
 }
 
-// What stands above the numbers, and what they are.
+// The lines before the numbers.
 class TextReader {
  public:
   TextReader(const Source& source, const Run& run)

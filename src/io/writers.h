@@ -37,7 +37,8 @@ struct LoopsToWrite {
 // Without triangles the PLY has no element `face`.
 void write_ply(SafeFile& file, const Cloud& cloud, const MeshToWrite* mesh, const Run& run);
 
-// All return what was taken off the coordinates, which a reader of the file has to add: zero, but for STL.
+// All return the offset subtracted from the coordinates, which a reader of the file must add: zero, but for
+// STL.
 Point write_ply_mesh(SafeFile& file, const MeshToWrite& mesh, const Run& run);
 Point write_obj(SafeFile& file, const MeshToWrite& mesh, const Run& run);
 Point write_off(SafeFile& file, const MeshToWrite& mesh, const Run& run);

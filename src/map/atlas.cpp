@@ -20,7 +20,7 @@ std::vector<OpenMesh> halves(const OpenMesh& open, Index vertex) {
   return open_parts(open, bisect(open, vertex), Cuts(open.mesh.triangles.size(), {0, 0, 0}));
 }
 
-// A vertex of the triangle that is smallest in the map against its area in space.
+// A vertex of the triangle that is smallest in the map relative to its area in space.
 Index most_stretched(const OpenMesh& open, const std::vector<UV>& uv) {
   Index worst = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -52,7 +52,7 @@ Atlas::Atlas(const ChartOptions& options, const Run& run)
     : options_(options), run_(run), is_free_(options.charts != 1) {}
 
 Atlas::Outlook Atlas::look(const OpenMesh& open) {
-  constexpr double rough = 1e-6;  // residual of what only tells where to cut
+  constexpr double rough = 1e-6;  // residual of maps that only decide where to cut
   looks_left_ -= open.vertices();
   Outlook outlook;
   outlook.log_scale = conformal_log_scale(open, rough, outlook.turning, run_);
@@ -62,7 +62,7 @@ Atlas::Outlook Atlas::look(const OpenMesh& open) {
 }
 
 bool Atlas::promises(const Stretch& stretch) const {
-  constexpr double margin = 0.95;  // what is told beforehand is no more than near
+  constexpr double margin = 0.95;  // predicted stretch is only approximate
   return stretch.mean <= margin * options_.mean_stretch && stretch.worst <= margin * options_.worst_stretch;
 }
 
@@ -126,7 +126,7 @@ void Atlas::treat(OpenMesh open) {
 }
 
 void Atlas::take(std::vector<OpenMesh> parts) {
-  // At all charts together, for slits and for joining them: more on small surfaces.
+  // Limits over all charts, for slits and for joining; higher on small surfaces.
   constexpr std::int64_t looks_a_vertex = 25, more = 100, small = 20'000;
   for (const OpenMesh& part : parts)
     looks_left_ += looks_a_vertex * part.vertices() + more * std::min<std::int64_t>(part.vertices(), small);
@@ -157,7 +157,7 @@ void Atlas::cut_to(std::size_t count) {
 
 namespace {
 
-// Two charts, and how long their seam is.
+// Two charts and the length of their seam.
 struct Pair {
   double length;
   Index a, b;  // a < b
@@ -186,7 +186,7 @@ std::vector<Pair> neighbours_of(const OpenMesh& whole, const std::vector<Index>&
 }  // namespace
 
 void Atlas::join(const OpenMesh& whole) {
-  constexpr std::size_t largest = 400'000;  // triangles of two charts that are tried as one
+  constexpr std::size_t largest = 400'000;  // largest number of triangles of two charts that are tried as one
   std::vector<Index> place;                 // in `whole`, of the surface's triangles
   place.assign(static_cast<std::size_t>(*std::ranges::max_element(whole.triangle)) + 1, none);
   for (std::size_t i = 0; i < whole.triangle.size(); ++i) place[whole.triangle[i]] = static_cast<Index>(i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts over one surface: cut as far as it takes, and joined again where that was too far.
+// Charts of one surface: cut until the bounds hold, and joined again where that was not needed.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace rimline {
 struct Chart {
   OpenMesh open;
   std::optional<ChartMap> map;
-  Index worst = 0;  // the vertex at which it is stretched most
+  Index worst = 0;  // the vertex of the largest stretch
 };
 
 class Atlas {
@@ -30,18 +30,17 @@ class Atlas {
   // Cuts the largest chart in two until there are enough.
   void cut_to(std::size_t count);
 
-  // Joins charts that are neighbours in `whole`, of which all are parts, where the bounds hold for both as
-  // one.
+  // Joins neighbouring charts, all parts of `whole`, where the bounds hold for both as one.
   void join(const OpenMesh& whole);
 
-  // Takes over the charts of another.
+  // Appends the charts of another atlas.
   void append(Atlas&& other);
 
   std::vector<Chart>& charts() { return done_; }
   bool failed() const { return failed_; }  // whether a chart has no map
 
  private:
-  // What a conformal map would be like.
+  // The predicted stretch of a conformal map.
   struct Outlook {
     std::vector<double> log_scale, turning;
     Stretch stretch;
@@ -58,7 +57,7 @@ class Atlas {
   const ChartOptions& options_;
   const Run& run_;
   bool is_free_, failed_ = false;
-  std::int64_t looks_left_ = 0;  // vertices of charts that may yet be looked at
+  std::int64_t looks_left_ = 0;  // remaining budget, in vertices of charts
   std::vector<OpenMesh> open_;
   std::vector<Chart> done_;
 };

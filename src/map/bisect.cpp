@@ -49,7 +49,7 @@ Ranking rank(const OpenMesh& open, const std::vector<double>& share) {
   return ranking;
 }
 
-// How many triangles, in their order, lie before the cut: the cost of each cut is summed up along the order.
+// The number of triangles before the cut, in their order: the cost of each cut is summed along the order.
 std::size_t best_cut(const OpenMesh& open, const Ranking& ranking) {
   constexpr double least = 0.1;  // of the area on either side
   const std::size_t count = ranking.order.size();
@@ -79,7 +79,7 @@ std::size_t best_cut(const OpenMesh& open, const Ranking& ranking) {
   return std::max<std::size_t>(best, 1);
 }
 
-// Triangles go over to the other side where that shortens the cut.
+// Moves triangles to the other side where that shortens the cut.
 void straighten(const OpenMesh& open, Labels& label) {
   constexpr int sweeps = 4;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -98,7 +98,7 @@ void straighten(const OpenMesh& open, Labels& label) {
   }
 }
 
-// Of the triangles of one label that hang together in several parts only the largest keeps it.
+// Of the connected parts of one label only the largest keeps it.
 void drop_islands(const OpenMesh& open, Labels& label) {
   const Triangulation& mesh = open.mesh;
   Labels part(label.size(), none);

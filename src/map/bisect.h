@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chart made two.
+// Bisects a chart.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace rimline {
 
-// Per triangle 0 on the side of `vertex`, 1 on that of the vertex farthest from it. Between them the cut runs
-// along a level of the share of the way from one to the other: where it is short against the root of the
-// lesser area, a tenth of the whole at least, then straightened. Triangles of one label may hang together in
-// several parts.
+// Returns per triangle 0 on the side of `vertex`, 1 on the side of the vertex farthest from it. The cut is a
+// level line of the share of the way between them, where it is short relative to the root of the smaller area
+// (at least a tenth of the whole), then straightened. Triangles of one label may be in several connected
+// parts.
 std::vector<Index> bisect(const OpenMesh& open, Index vertex);
 
 }  // namespace rimline

@@ -22,7 +22,7 @@ double step_to_flat(const ConformalTriangle::Corners& x, const ConformalTriangle
   const double c = area(e, f), b = area(e, df) + area(de, f), a = area(de, df);
   const double square = b * b - 4 * a * c;
   if (square < 0) return infinite;
-  // The root that is not the difference of near numbers, then the other from their product.
+  // The root that is not a difference of near numbers, then the other from their product.
   const double q = -(b + std::copysign(std::sqrt(square), b)) / 2;
   double least = infinite;
   if (q != 0 && c / q > 0) least = c / q;
@@ -44,14 +44,14 @@ class Descent {
     uv_.resize(uv_.size() + 4);
   }
 
-  // Of the surface alone.
+  // Energy of the surface alone.
   double energy() const { return energy(uv_, surface_); }
   std::vector<UV> take() {
     uv_.resize(static_cast<std::size_t>(points_));
     return std::move(uv_);
   }
 
-  // Triangulates the region outside of the loops. These triangles have their present shape as rest shape, and
+  // Triangulates the region outside of the loops. The rest shape of these triangles is their present shape;
   // their weights add up to `weight`. False where loops cross.
   bool surround(double weight) {
     place_box();
@@ -88,7 +88,7 @@ class Descent {
 
   // Moves the vertices so that the energy falls. False where no such step was found.
   bool step(const Run& run) {
-    constexpr double enough = 1e-4;  // of what the slope promises
+    constexpr double enough = 1e-4;  // share of the decrease that the slope predicts
     constexpr int halvings = 30;
     if (!find_direction(run)) return false;
     const double slope = gradient_.dot(direction_), before = energy(uv_, triangles_.size());
@@ -114,7 +114,7 @@ class Descent {
     weight_.push_back(weight);
   }
 
-  // Half as far out again as the map reaches.
+  // A box half as large again as the map.
   void place_box() {
     UV low{infinite, infinite}, high{-infinite, -infinite};
     for (const Index v : loops_.front().points) {
@@ -150,7 +150,7 @@ class Descent {
       flat_[i].derivatives(corners(uv_, i), g, h);
       const auto at = [&](int k) { return 2 * triangles_[i][k / 2] + k % 2; };
       for (int r = 0; r < 6; ++r) {
-        if (at(r) >= n) continue;  // the box stays
+        if (at(r) >= n) continue;  // the box is fixed
         gradient_[at(r)] += weight_[i] * g[r];
         for (int c = 0; c < 6; ++c) {
           if (at(r) >= at(c)) entries_.emplace_back(at(r), at(c), weight_[i] * h(r, c));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a map without turned triangles to the most conformal one near it.
+// Descends from a map without flips to the most conformal one near it.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ namespace rimline {
 // infinite where a triangle is turned over.
 double conformal_distortion(Points points, const Triangulation& mesh, const std::vector<UV>& uv);
 
-// 100 for small meshes, 5 for those of 90,000 triangles or more: steps that settle are far fewer, and those
-// of a map that does not settle would take fifty times as long as the other maps of a large mesh.
+// 100 for small meshes, 5 for those of 90,000 triangles or more: a map that converges needs far fewer steps,
+// and one that does not would take fifty times as long as the other maps of a large mesh.
 int most_descent_steps(std::size_t triangles);
 
 // Releases the outline of a map and descends by Newton's method towards the least conformal distortion

@@ -13,7 +13,7 @@ Eigen::Vector2d unit(ConformalTriangle::Complex z) {
   return size > 0 ? Eigen::Vector2d(z.real() / size, z.imag() / size) : Eigen::Vector2d(1, 0);
 }
 
-// A symmetric matrix of two rows without its negative eigenvalues.
+// Projects a symmetric 2x2 matrix to a positive semidefinite one.
 Eigen::Matrix2d positive_part(double a, double b, double d) {
   const double middle = (a + d) / 2, radius = std::hypot((a - d) / 2, b);
   const double high = middle + radius, low = middle - radius;
@@ -32,7 +32,7 @@ ConformalTriangle::ConformalTriangle(const std::array<Point, 3>& p) {
   const Point e = p[1] - p[0], f = p[2] - p[0], g = f - e;
   const double longest = std::sqrt(std::max({dot(e, e), dot(f, f), dot(g, g)}));
   const double base = norm(e);
-  if (!(base > 0)) return;  // no area, no slopes: takes no part
+  if (!(base > 0)) return;  // without area it has no slopes and is ignored
   const double height = std::max(norm(cross(e, f)) / base, flattest * longest);
   const Complex z0 = 0, z1 = base, z2{dot(e, f) / base, height};
   area_ = base * height / 2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the map of one triangle is from conformal: half of s1 / s2 + s2 / s1 of its singular values, which
-// is 1 where angles are kept and grows without bound towards a triangle that is turned over (the most
-// isometric parameterization: Hormann & Greiner 2000).
+// The conformal energy of a triangle: half of s1 / s2 + s2 / s1 of the singular values of its map. It is 1
+// where angles are kept and grows without bound towards a flipped triangle (the most isometric
+// parameterization: Hormann & Greiner 2000).
 #pragma once
 
 #include <Eigen/Core>

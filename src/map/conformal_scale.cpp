@@ -13,7 +13,7 @@
 namespace rimline {
 namespace {
 
-// What the angles of the triangles lack to 2 pi, of loops to pi; those of holes with the share of the disc
+// Angle defects: 2 pi (pi on loops) less the angles of the triangles; on holes with the share of the disc
 // that closes them. Then one entry per hole.
 std::vector<double> curvature_of(const OpenMesh& open) {
   constexpr double pi = std::numbers::pi;
@@ -51,7 +51,7 @@ std::vector<double> conformal_log_scale(const OpenMesh& open, double residual, s
     if (system.unknown[node] != none) system.right[system.unknown[node]] = {-lack[node], 0};
   }
   solve_system(std::move(system), residual, u, run);
-  // Along the outline, where u is 0, L u is less the weights times u of what is joined to it.
+  // On the outline, where u is 0, L u is minus the weighted sum of u of the neighbours.
   std::fill(fixed.begin(), fixed.end(), 0);
   const MapSystem all = mesh_system(open.points, open.mesh, open.loops, {}, fixed, u, run);
   turning.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much a conformal map would shrink a surface, told without making it.
+// The scale of a conformal map, computed without the map.
 #pragma once
 
 #include <vector>
@@ -23,10 +23,10 @@ struct Stretch {
   double mean = 1, worst = 1;
 };
 
-// Of a map with these logarithms of its scale.
+// The stretch of a map with these logarithms of its scale.
 Stretch stretch_of_scale(const OpenMesh& open, const std::vector<double>& log_scale);
 
-// Of a map at hand, scaled to the area of the surface.
+// The stretch of a given map, scaled to the area of the surface.
 Stretch stretch_of_map(const OpenMesh& open, const std::vector<UV>& uv);
 
 }  // namespace rimline

@@ -12,7 +12,7 @@
 namespace rimline {
 namespace {
 
-// A side with no edge of the tree, and how long the closed curve is that it closes.
+// A side that is no edge of the tree, and the length of the closed curve that it closes.
 struct Chord {
   double length;
   Index triangle;
@@ -44,7 +44,7 @@ std::vector<Chord> chords_of(const OpenMesh& open, const SeamPaths& paths) {
   return chords;
 }
 
-// The chords that no spanning tree of the triangles and caps crosses, the shortest curve last.
+// The chords that no spanning tree of the triangles and caps crosses; the shortest curve last.
 std::vector<Chord> generators(const OpenMesh& open, const SeamPaths& paths) {
   std::vector<Index> cap(open.points.size(), none);
   for (std::size_t l = 0; l < open.loops.size(); ++l) {
@@ -60,7 +60,7 @@ std::vector<Chord> generators(const OpenMesh& open, const SeamPaths& paths) {
   return left;
 }
 
-// Takes off edges that end at a vertex with no other one, until none does.
+// Removes edges that end at a vertex with no other one, until there is none.
 std::vector<std::pair<Index, Index>> pruned(std::vector<std::pair<Index, Index>> edges, Index vertices) {
   for (auto& [a, b] : edges) {
     if (a > b) std::swap(a, b);

@@ -22,8 +22,8 @@ std::vector<double> lengths_along(Points points, const std::vector<Index>& loop)
   return along;
 }
 
-// How sharply the loop turns at each point: pi less the angle between the points a window's length before
-// and after.
+// The turning of the loop at each point: pi less the angle between the points a window's length before and
+// after.
 std::vector<double> turns(Points points, const std::vector<Index>& loop, const std::vector<double>& along) {
   const std::size_t n = loop.size();
   const double window = along[n] / 20;
@@ -62,7 +62,7 @@ std::array<std::size_t, 4> given_corners(const std::vector<Index>& loop, std::sp
     if (found == loop.end()) throw Error(ErrorCode::BadOption, "a corner is not on the outer loop", {ids[c]});
     at[c] = static_cast<std::size_t>(found - loop.begin());
   }
-  // Along the loop from the first one on, whatever the order of the others.
+  // Sorts along the loop from the first one on.
   for (std::size_t& position : at) position += position < at[0] ? loop.size() : 0;
   std::sort(at.begin(), at.end());
   if (std::adjacent_find(at.begin(), at.end()) != at.end()) {
@@ -81,7 +81,7 @@ std::array<std::size_t, 4> find_corners(Points points, const std::vector<Index>&
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return turn[a] > turn[b]; });
   std::array<std::size_t, 4> corners{};
-  // Where a tenth of the length between corners leaves fewer than four, less must do.
+  // Lowers the least distance where a tenth of the length leaves fewer than four corners.
   for (double apart = along.back() / 10;; apart /= 2) {
     std::size_t found = 0;
     for (const std::size_t i : order) {
@@ -108,7 +108,7 @@ void place_outline(Points points, const std::vector<Index>& loop, Domain domain,
   const std::array<std::size_t, 4> at =
       corners[0] == none ? find_corners(points, loop) : given_corners(loop, corners);
   const std::size_t n = loop.size();
-  // Length along the loop, on and on where it comes round again.
+  // Length along the loop, continued past its end.
   const auto run_to = [&](std::size_t i) { return along[i % n] + static_cast<double>(i / n) * along[n]; };
   const auto first_of = [&](int side) { return side < 4 ? at[side] : at[0] + n; };
   const auto length = [&](int side) { return run_to(first_of(side + 1)) - run_to(first_of(side)); };

@@ -48,7 +48,7 @@ std::vector<Index> flipped_triangles(const std::vector<Triangle>& triangles, con
 
 Embedding embed(Points points, const Triangulation& mesh, const std::vector<Loop>& loops, double residual,
                 int repairs, std::vector<UV>& uv, const Run& run) {
-  constexpr double exact = 1e-14;  // as far as double goes: crowded places need it
+  constexpr double exact = 1e-14;  // near the limit of double precision, which crowded regions need
   const Index n = static_cast<Index>(points.size());
   std::vector<char> fixed(uv.size(), 0);
   for (const Index i : loops.front().points) fixed[i] = 1;
@@ -65,7 +65,7 @@ Embedding embed(Points points, const Triangulation& mesh, const std::vector<Loop
     embedding.flips = flipped.size();
     if (flipped.empty() || attempt == repairs) return embedding;
     if (attempt == 0) {
-      evenness.assign(n, 0);  // once more, but exactly
+      evenness.assign(n, 0);  // solves again, exactly
     } else {
       embedding.evened = raise_evenness(mesh, flipped, attempt, attempt < repairs - 1 ? 0.5 : 1, evenness);
     }

@@ -15,14 +15,14 @@ std::vector<Index> flipped_triangles(const std::vector<Triangle>& triangles, con
 
 struct Embedding {
   MapSummary map;
-  std::size_t flips = 0;   // 0 but for maps that double precision can not hold
-  std::size_t evened = 0;  // points whose weights were drawn towards 1 to get there
+  std::size_t flips = 0;   // 0 except for maps beyond double precision
+  std::size_t evened = 0;  // points whose weights were equalized
 };
 
-// Maps a disc with holes: the first loop stays where `uv` has it (a convex polygon, counter-clockwise), the
-// holes are closed by a wheel each. `uv` holds one entry per point and one per hole, a first guess for what
-// is not on the first loop. Starts from the harmonic map; where rounding flips triangles, draws the weights
-// about them towards Tutte's equal ones, `repairs` times at most, until none is flipped.
+// Maps a disc with holes. The first loop keeps its positions in `uv` (a convex polygon, counter-clockwise);
+// each hole is closed by a wheel. `uv` has one entry per point and one per hole: a first guess except on the
+// first loop. Starts from the harmonic map; where rounding flips triangles, the weights around them are moved
+// towards equal ones (Tutte), at most `repairs` times, until no triangle is flipped.
 Embedding embed(Points points, const Triangulation& mesh, const std::vector<Loop>& loops, double residual,
                 int repairs, std::vector<UV>& uv, const Run& run);
 

@@ -18,7 +18,7 @@ std::vector<UV> of_points(Points points, const std::vector<UV>& uv) {
   return {uv.begin(), uv.begin() + static_cast<std::ptrdiff_t>(points.size())};
 }
 
-// To the outline that `uv` has.
+// Maps to the outline given by `uv`.
 FinalMap map_to_outline(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
                         const RefineOptions& options, std::vector<UV> uv, const Run& run) {
   constexpr int repairs = 8;
@@ -33,12 +33,12 @@ void lay_out(Points points, const Triangulation& mesh, const std::vector<Loop>& 
   scale_to_area(points, mesh, map.uv);
 }
 
-// Least squares, which may turn triangles over where the mesh folds, or leave them all but flat in uv, and
-// may cross the outline: nothing where it does.
+// Least squares, which may flip triangles where the mesh folds, make them nearly flat in uv, or cross the
+// outline: none where it does.
 std::optional<FinalMap> map_freely(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
                                    const Run& run) {
   constexpr double flat = 1.05, little = 1e-3;
-  for (const double least : {0.0, little}) {  // then no inner edge without a weight
+  for (const double least : {0.0, little}) {  // the second bound leaves no inner edge without weight
     FinalMap map;
     map.summary = free_map(points, mesh, loops.front().points, least, map.uv, run);
     if (!flipped_triangles(mesh.triangles, map.uv, run).empty()) continue;
@@ -61,7 +61,7 @@ FinalMap final_map(Points points, const Triangulation& mesh, const std::vector<L
   }
   FinalMap map = map_to_outline(points, mesh, loops, options, std::move(uv), run);
   if (!traits(options.domain).released) return map;
-  // From the disc's map, which has no flips and no crossings, by steps that make none.
+  // Starts from the disc's map, which has no flips and no crossings, and keeps it so.
   if (map.flips == 0 && relax_conformally(points, mesh, loops, map.uv, run) > 0) {
     lay_out(points, mesh, loops, map);
   } else {

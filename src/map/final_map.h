@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The map of a finished mesh to the domain that was asked for.
+// Maps a finished mesh to the requested domain.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@
 namespace rimline {
 
 struct FinalMap {
-  std::vector<UV> uv;          // one per point
-  Domain kind = Domain::Disc;  // what was made: the disc, at the area of the surface, in place of a free map
-                               // that could not be made
-  MapSummary summary;          // the last system
-  std::size_t flips = 0;       // triangles not counter-clockwise
-  std::size_t evened = 0;      // points whose weights were drawn towards equal ones to avoid flips
+  std::vector<UV> uv;  // one per point
+  Domain kind =
+      Domain::Disc;    // the result: the disc, at the area of the surface, where a free map could not be made
+  MapSummary summary;  // the last system
+  std::size_t flips = 0;   // triangles not counter-clockwise
+  std::size_t evened = 0;  // points whose weights were equalized to avoid flips
 };
 
 // `loops`: the outer one first. `uv`: one per point and one per hole, the outer loop on the circle, a first

@@ -17,9 +17,9 @@
 namespace rimline {
 namespace {
 
-constexpr double flat_mean = 1.05;  // of conformal_distortion(): above it, triangles are all but flat in uv
+constexpr double flat_mean = 1.05;  // bound of conformal_distortion(): above it, triangles are nearly flat
 
-// Whether all triangles have a height that moving the chart does not take from them.
+// Whether all triangles keep a height when the chart is moved.
 bool have_height(const OpenMesh& open, const std::vector<UV>& uv) {
   constexpr double least = 1e-9;  // of the longest side
   return std::ranges::all_of(open.mesh.triangles, [&](const Triangle& t) {
@@ -37,7 +37,7 @@ bool is_good(const OpenMesh& open, const std::vector<UV>& uv) {
   return is_valid(open, uv) && conformal_distortion(open.points, open.mesh, uv) <= flat_mean;
 }
 
-// To the area of the surface; one that has all but none, to the length of its outline.
+// Scales to the area of the surface, or, nearly without area, to the length of the outline.
 void scale_chart(const OpenMesh& open, std::vector<UV>& uv) {
   constexpr double thin = 1e-8;  // of the square of the outline's length
   const Loop& outline = open.loops.front();
@@ -66,7 +66,7 @@ std::optional<ChartMap> relaxed(const OpenMesh& open, std::vector<UV> uv, const 
   return laid_out(open, std::move(uv), summary);
 }
 
-// Within the outline that `uv` has.
+// Maps inside the outline given by `uv`.
 std::optional<ChartMap> anew_within(const OpenMesh& open, std::vector<UV> uv, double residual,
                                     const Run& run) {
   constexpr int repairs = 4;
@@ -93,7 +93,7 @@ std::optional<ChartMap> to_disc(const OpenMesh& open, double residual, const Run
 std::optional<ChartMap> first_good(const OpenMesh& open, const std::vector<double>& turning, double residual,
                                    bool patient, const Run& run) {
   constexpr Index large = 30'000, too_large = 200'000;  // vertices: for least squares at first, and at all
-  constexpr double little = 1e-3;                       // then no inner edge without a weight
+  constexpr double little = 1e-3;                       // bound that leaves no inner edge without weight
   std::vector<UV> uv;
   if (open.vertices() > large && !turning.empty()) {
     const MapSummary summary = map_outline_first(open, turning, residual, uv, run);
@@ -111,7 +111,7 @@ std::optional<ChartMap> first_good(const OpenMesh& open, const std::vector<doubl
   return disc ? relaxed(open, disc->uv, disc->summary, run) : std::nullopt;
 }
 
-// Nothing where a system could not be solved.
+// None where a system could not be solved.
 template <class Map>
 std::optional<ChartMap> where_solved(const Map& map) {
   try {

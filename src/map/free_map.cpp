@@ -16,7 +16,8 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-// Two points of the loop about as far apart as any: the farthest from the farthest from its first.
+// Two points of the loop that are nearly as far apart as possible: the farthest from the farthest from its
+// first.
 std::pair<Index, Index> far_pair(Points points, const std::vector<Index>& loop) {
   const auto farthest = [&](Index from) {
     return *std::max_element(loop.begin(), loop.end(), [&](Index a, Index b) {
@@ -27,7 +28,7 @@ std::pair<Index, Index> far_pair(Points points, const std::vector<Index>& loop) 
   return {a, farthest(a)};
 }
 
-// The conformal energy as a quadratic form, and the solve for its least.
+// The conformal energy as a quadratic form, and its minimization.
 class ConformalSystem {
  public:
   // Unknown 2 i is u of vertex i, 2 i + 1 its v; those of two points of the outer loop are held.
@@ -88,7 +89,7 @@ class ConformalSystem {
       for (int c = 0; c < 3; ++c) {
         const Index a = v[next(c)], b = v[previous(c)], other = mesh_.adjacent[t][c];
         if (other != none) {
-          if (other < t) continue;  // was there from the other side
+          if (other < t) continue;  // visited from the other side
           const Index apex = mesh_.triangles[other][mesh_.corner_across(other, t)];
           add_edge(a, b, std::max(least, 0.5 * (cotangent(v[c], a, b) + cotangent(apex, a, b))));
           continue;

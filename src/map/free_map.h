@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The conformal map whose outline is free.
+// The conformal map with a free outline.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ namespace rimline {
 MapSummary free_map(Points points, const Triangulation& mesh, const std::vector<Index>& outer_loop,
                     double least, std::vector<UV>& uv, const Run& run);
 
-// Turns uv so that the outer loop's farthest points lie level.
+// Rotates uv so that the farthest points of the outer loop are level.
 void lay_level(Points points, const std::vector<Index>& outer_loop, std::vector<UV>& uv);
 
 // Scales uv so that the triangles cover the area that they have in space.

@@ -14,7 +14,7 @@
 namespace rimline {
 namespace {
 
-// For systems on which the multigrid stalls.
+// The direct solver, for systems on which the multigrid stalls.
 void solve_directly(const SymmetricMatrix& a, const std::vector<UV>& right, std::vector<UV>& x,
                     const Run& run) {
   std::vector<Eigen::Triplet<double>> entries;

@@ -26,7 +26,7 @@ struct WeightedEdge {
   double weight;
 };
 
-// Edges named twice, in either direction, add up.
+// Weights of edges named twice, in either direction, are added.
 Graph make_graph(Index size, const std::vector<WeightedEdge>& edges);
 
 // The nodes that no path joins to a fixed one, ascending: for these eq. (4) is singular.

@@ -21,7 +21,7 @@ std::vector<OpenMesh> cut_along(const OpenMesh& open, const Cuts& cuts) {
   return open_parts(open, std::vector<Index>(open.mesh.triangles.size(), 0), cuts);
 }
 
-// Without handles, in parts that hang together.
+// Cuts the handles, and separates connected parts.
 std::vector<OpenMesh> without_handles(Points points, const std::vector<Triangle>& triangles) {
   const OpenMesh surface = open_surface(points, triangles);
   std::vector<OpenMesh> whole;
@@ -35,7 +35,7 @@ std::vector<OpenMesh> without_handles(Points points, const std::vector<Triangle>
   return whole;
 }
 
-// Discs with holes: closed surfaces are cut, in two or by a slit.
+// Makes discs with holes: closed surfaces are cut in two or by a slit.
 std::vector<OpenMesh> discs_of(const OpenMesh& whole, bool in_two) {
   if (!whole.loops.empty()) return {whole};
   if (!in_two) {
@@ -45,7 +45,7 @@ std::vector<OpenMesh> discs_of(const OpenMesh& whole, bool in_two) {
   return open_parts(whole, bisect(whole, 0), Cuts(whole.mesh.triangles.size(), {0, 0, 0}));
 }
 
-// From (0, 0) on.
+// Moves the lower left corner to (0, 0).
 void move_to_origin(std::vector<UV>& uv) {
   UV low = uv.front();
   for (const UV p : uv) low = {std::min(low.u, p.u), std::min(low.v, p.v)};
@@ -75,7 +75,7 @@ void append(Chart& chart, const std::vector<Triangle>& triangles, ChartedMap& ma
   map.summary.residual = std::max(map.summary.residual, chart.map->summary.residual);
 }
 
-// Each edge of a seam is one of the outline on either side, and the boundary is none.
+// Each edge of a seam is on two outlines, boundary edges on one.
 double length_of_seams(const std::vector<Chart>& charts, double boundary) {
   double length = 0;
   for (const Chart& chart : charts) {

@@ -23,7 +23,7 @@ class Row {
 
   // Equal nodes keep their order, so that their sum is always the same.
   void merge() {
-    constexpr std::size_t short_row = 64;  // all but the centres of large holes
+    constexpr std::size_t short_row = 64;  // enough except for the centres of large holes
     if (entries_.size() > short_row) {
       std::stable_sort(entries_.begin(), entries_.end(),
                        [](const Entry& a, const Entry& b) { return a.node < b.node; });
@@ -84,7 +84,7 @@ class Assembler {
     SymmetricMatrix& a = system.matrix;
     a.diagonal.resize(node_of.size());
     system.right.resize(node_of.size());
-    // Twice around each node: once to count, once to fill in.
+    // Two passes around each node: one to count, one to fill in.
     std::vector<Index> counts(node_of.size());
     for_each_row(node_of, false, run, [&](Index row, const std::vector<Entry>& entries) {
       counts[row] = static_cast<Index>(

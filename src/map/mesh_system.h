@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eq. (4) on a mesh with holes, without a graph in between.
+// Eq. (4) on a mesh with holes, assembled without a graph.
 #pragma once
 
 #include <span>

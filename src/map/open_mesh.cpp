@@ -60,7 +60,7 @@ std::vector<Loop> loops_of(Points points, const Triangulation& mesh) {
   return loops;
 }
 
-// With loops and genus, once points and mesh are there.
+// Adds loops and genus to points and mesh.
 OpenMesh finished(OpenMesh open) {
   open.loops = loops_of(open.points, open.mesh);
   long long rim = 0;
@@ -75,7 +75,7 @@ OpenMesh finished(OpenMesh open) {
 
 namespace {
 
-// Whether two triangles run along an edge alike.
+// Whether two triangles run along an edge in the same direction.
 bool runs_twice(const std::vector<Triangle>& triangles, std::size_t points) {
   std::vector<Index> offsets(points + 1, 0);
   for (const Triangle& t : triangles) {
@@ -95,8 +95,8 @@ bool runs_twice(const std::vector<Triangle>& triangles, std::size_t points) {
   return false;
 }
 
-// Turns neighbours alike in rings about the first triangle, as far as that goes: where the rings meet from
-// behind, neighbours run along their edge alike.
+// Makes neighbours agree in rings around the first triangle, as far as possible: where the rings meet on a
+// one-sided surface, neighbours disagree.
 void orient_in_rings(std::vector<Triangle>& triangles) {
   struct Side {
     Index low, high, triangle;
@@ -143,7 +143,7 @@ OpenMesh open_surface(Points points, const std::vector<Triangle>& triangles) {
     orient_in_rings(turned);
     two_sided = !runs_twice(turned, points.size());
   }
-  // Neighbours that run along their edge alike are none in it: there a one-sided surface is cut.
+  // Neighbours that disagree are not joined: there a one-sided surface is cut.
   open.mesh = triangulation_of(turned, static_cast<Index>(points.size()));
   for (Index t = 0; t < open.mesh.size(); ++t) open.triangle.push_back(t);
   if (two_sided) {
@@ -172,7 +172,7 @@ OpenMesh open_surface(Points points, const std::vector<Triangle>& triangles) {
 
 namespace {
 
-// Which triangles hang together, numbered by their first ones.
+// The connected part of each triangle, numbered by first triangles.
 std::vector<Index> parts_of(const OpenMesh& whole, const std::vector<Index>& label, const Cuts& cuts) {
   Triangulation cut = whole.mesh;
   for (Index t = 0; t < cut.size(); ++t) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface cut open: a mesh of its own, in which the two sides of a cut have vertices of their own.
+// A surface cut open: a mesh in which the two sides of a cut have separate vertices.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ struct OpenMesh {
   Triangulation mesh;           // each vertex has one fan
   std::vector<Index> vertex;    // of the surface, for each vertex of this mesh
   std::vector<Index> triangle;  // likewise for each triangle
-  std::vector<Loop> loops;      // where it ends, the mesh on their left, the longest first
+  std::vector<Loop> loops;      // its boundary, the mesh on the left, the longest first
   Index genus = 0;              // handles
 
   Index vertices() const { return static_cast<Index>(points.size()); }
@@ -24,8 +24,8 @@ struct OpenMesh {
 // either side of an edge, it counts for both.
 using Cuts = std::vector<std::array<char, 3>>;
 
-// The whole surface, cut where it must be to have two sides: `triangles` may be one-sided, and are turned
-// alike in what comes out. Each edge has at most two triangles.
+// The whole surface, cut where it must be to become orientable: `triangles` may be one-sided; the triangles
+// of the result agree. Each edge has at most two triangles.
 OpenMesh open_surface(Points points, const std::vector<Triangle>& triangles);
 
 // Parts of an open mesh, cut along `cuts` and where neighbours have different labels. One for each group of
@@ -33,8 +33,7 @@ OpenMesh open_surface(Points points, const std::vector<Triangle>& triangles);
 // triangles are those of the surface that `whole` was cut from.
 std::vector<OpenMesh> open_parts(const OpenMesh& whole, const std::vector<Index>& label, const Cuts& cuts);
 
-// Some triangles of an open mesh, by their positions in it, ascending, as a mesh of their own. They need not
-// hang together.
+// Some triangles of an open mesh, by ascending positions in it, as a mesh. They need not be connected.
 OpenMesh open_selection(const OpenMesh& whole, const std::vector<Index>& triangles);
 
 }  // namespace rimline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the outline of a map crosses itself.
+// Finds self-crossings of the outline of a map.
 #pragma once
 
 #include <array>

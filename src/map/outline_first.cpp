@@ -16,7 +16,8 @@ std::vector<UV> closed_outline(const std::vector<double>& lengths, const std::ve
     if (i > 0) angle += turning[i];
     direction[i] = {std::cos(angle), std::sin(angle)};
   }
-  // Least sum of (change of a length)^2 / length: changes are length * (direction, m) with one vector m.
+  // Minimizes the sum of (change of a length)^2 / length: changes are length * (direction, m) with one vector
+  // m.
   double uu = 0, u_v = 0, vv = 0;
   UV gap;
   for (std::size_t i = 0; i < n; ++i) {

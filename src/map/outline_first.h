@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A conformal map in time near linear: the outline first, then what lies inside.
+// A conformal map in nearly linear time: first the outline, then the inside.
 #pragma once
 
 #include <vector>

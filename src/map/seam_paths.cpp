@@ -14,7 +14,7 @@
 namespace rimline {
 
 double seam_cost(const OpenMesh& open, Index triangle, int corner) {
-  constexpr double of_ridge = 1, of_valley = 0.5;  // added or taken off for a right angle, in lengths
+  constexpr double of_ridge = 1, of_valley = 0.5;  // added or subtracted for a right angle, in lengths
   const Triangulation& mesh = open.mesh;
   const Triangle& t = mesh.triangles[triangle];
   const Point a = open.points[t[next(corner)]], b = open.points[t[previous(corner)]];
@@ -27,7 +27,7 @@ double seam_cost(const OpenMesh& open, Index triangle, int corner) {
   const double size = norm(n) * norm(m);
   if (!(size > 0)) return length;
   const double turn = std::acos(std::clamp(dot(n, m) / size, -1.0, 1.0)) / (std::numbers::pi / 2);
-  // By the sum over both sides, so that it is the same from either.
+  // Summed over both sides, so that the result is the same from either.
   const bool valley = dot(n, beyond - a) / norm(n) + dot(m, apex - a) / norm(m) > 0;
   return length * (valley ? 1 - of_valley * std::min(turn, 1.0) : 1 + of_ridge * turn);
 }
@@ -37,7 +37,7 @@ Graph seam_graph(const OpenMesh& open) {
   for (Index t = 0; t < open.mesh.size(); ++t) {
     for (int c = 0; c < 3; ++c) {
       const Index other = open.mesh.adjacent[t][c];
-      if (other != none && other < t) continue;  // was there from the other side
+      if (other != none && other < t) continue;  // visited from the other side
       const Triangle& v = open.mesh.triangles[t];
       edges.push_back({v[next(c)], v[previous(c)], seam_cost(open, t, c)});
     }
@@ -61,7 +61,7 @@ SeamPaths paths_to(const Graph& graph, Index source) {
       const Index w = graph.neighbours[e];
       const double through = cost + graph.weights[e];
       const bool nearer = through < paths.cost[w];
-      // Edges without length must not lead in circles.
+      // Edges without length must not cause cycles.
       const bool as_near = through == paths.cost[w] && cost < through && v < paths.via[w];
       if (!nearer && !as_near) continue;
       paths.cost[w] = through;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where cuts are cheap, and shortest paths by that measure.
+// Costs of cuts, and shortest paths by these costs.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace rimline {
 
-// What a cut along a side costs: its length, more where the surface is bent outwards, as ridges are seen
-// first, and less in valleys. In the unit of the points. The same from both sides.
+// The cost of a cut along a side: its length, more on ridges, which are visible, and less in valleys. In the
+// unit of the points. The same from both sides.
 double seam_cost(const OpenMesh& open, Index triangle, int corner);
 
 // The edges of the mesh with these costs.

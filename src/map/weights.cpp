@@ -12,7 +12,7 @@
 namespace rimline {
 
 std::vector<WeightedEdge> star_edges(const Stars& stars) {
-  // Four points on a circle leave a common edge of length zero: not a neighbour.
+  // Four cocircular points leave a common side of length zero: they are no neighbours.
   constexpr double least = 1e-6, most = 100;
   std::vector<WeightedEdge> edges;
   edges.reserve(stars.start(stars.size()));

@@ -11,22 +11,22 @@
 
 namespace rimline {
 
-// The edges of the local Voronoi cells, each weight half of what either side says.
+// The edges of the local Voronoi cells; each weight is the mean of both sides.
 std::vector<WeightedEdge> star_edges(const Stars& stars);
 
-// Where loops touched in a point, two wedges of the surface meet, and a copy of the point (id point_count + i
-// for original[i]) has one of them: gives each edge of the point to the copy whose edges of the loop are
-// nearer.
+// Distributes the edges of a point where loops touched: two wedges of the surface meet there, and a copy of
+// the point (id point_count + i for original[i]) has one of them. Each edge goes to the copy whose edges of
+// the loop are nearer.
 void share_with_copies(Points points, const std::vector<Loop>& loops, const std::vector<Index>& original,
                        std::vector<WeightedEdge>& edges);
 
-// Joins nodes that no path leads to from a fixed one to those of their neighbours for which there is one,
-// weakly. What has no such neighbour either stays apart.
+// Joins nodes without a path to a fixed node to those of their neighbours that have one, with small weights.
+// Nodes without such neighbours stay apart.
 void join_islands(const Neighbours& neighbours, const std::vector<char>& fixed,
                   std::vector<WeightedEdge>& edges);
 
-// Closes each hole (all loops but the first) for the solve by one more node, joined to the rim as the centre
-// of a regular polygon is to its corners. The nodes follow the points.
+// Closes each hole (all loops but the first) for the solve by an additional node, joined to the rim like the
+// centre of a regular polygon to its corners. These nodes follow the points.
 void add_wheels(const std::vector<Loop>& loops, Index point_count, std::vector<WeightedEdge>& edges);
 
 // Half the cotangents of the angles opposite to the edge at corner c of triangle t, in space: a discrete

@@ -63,7 +63,7 @@ void add(const TriangleMap& map, Sums& sums) {
   sums.any = true;
   sums.angle += map.angle * map.area;
   sums.angle_most = std::max(sums.angle_most, map.angle);
-  if (map.area == 0) return;  // has no ratio
+  if (map.area == 0) return;  // without area there is no ratio
   sums.ratio_least = std::min(sums.ratio_least, map.ratio);
   sums.ratio_most = std::max(sums.ratio_most, map.ratio);
   sums.log_ratio += map.log_ratio * map.area;

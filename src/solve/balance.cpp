@@ -14,7 +14,7 @@ namespace {
 constexpr Index coarsest_size = 200;  // small enough for dense elimination: 8 million operations
 constexpr int most_levels = 40;
 
-// What flows into each row from which others, and how much leaves it.
+// The flow into each row from other rows, and the flow out of it.
 struct Inflow {
   RowMatrix from;  // the diagonal is what leaves
 };
@@ -43,7 +43,7 @@ Inflow inflow_of(const RowMatrix& rates) {
 
 void normalize(std::vector<double>& visits) {
   const double mean = std::accumulate(visits.begin(), visits.end(), 0.0) / static_cast<double>(visits.size());
-  // Rows that nobody lists are never visited; no factor may be zero.
+  // Rows that no row lists are never visited; no factor may be zero.
   constexpr double least = 1e-12;
   for (double& v : visits) v = std::max(v / mean, least);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Factors for the rows of a matrix after which its columns, too, sum to nearly nothing.
+// Row factors that make the column sums of a matrix nearly zero.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows that depend on each other most, in groups of about four: a coarser level of a matrix.
+// Groups of about four rows that depend on each other most: a coarser level of a matrix.
 #pragma once
 
 #include <vector>

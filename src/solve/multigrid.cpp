@@ -232,7 +232,7 @@ SymmetricMatrix Multigrid::galerkin(const Level& fine, Index coarse_size) const 
       std::sort(touched.begin(), touched.end());
       for (std::size_t t = 0; t < touched.size(); ++t) {
         const Index column = touched[t];
-        if (t > 0 && touched[t - 1] == column) continue;  // its sum was 0 for a moment
+        if (t > 0 && touched[t - 1] == column) continue;  // its sum was temporarily 0
         if (column == i) {
           coarse.diagonal[i] = sum[column];
         } else if (sum[column] != 0) {
@@ -272,7 +272,7 @@ void Multigrid::factorize_coarsest() {
 void Multigrid::solve_coarsest(const UV* b, UV* x) const {
   const SymmetricMatrix& a = levels_.back().matrix;
   const std::size_t n = a.diagonal.size();
-  if (factor_.empty()) {  // it would not coarsen: a diagonal step keeps the cycle symmetric
+  if (factor_.empty()) {  // without coarsening: a diagonal step keeps the cycle symmetric
     for (std::size_t i = 0; i < n; ++i) x[i] = levels_.back().inverse_diagonal[i] * b[i];
     return;
   }
