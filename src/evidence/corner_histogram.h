@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How usual wide corners of large triangles are on the surface behind rims.
+// Frequency of wide corners of large triangles on the surface behind rims.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace rimline {
 
-// A wide, large triangle at a rim is a false ear where the surface behind has none like it, and is nothing
-// unusual where points are uneven all over.
+// A wide, large triangle at a rim is a false ear where the surface behind has none like it; where points are
+// uneven everywhere it is usual.
 class CornerHistogram {
  public:
   CornerHistogram() = default;
@@ -22,7 +22,7 @@ class CornerHistogram {
   CornerHistogram(const TriangleSet& set, const LocalSizes& sizes, const Neighbours& neighbours,
                   const std::vector<std::vector<Index>>& rims, const Selection& selected);
 
-  // Adds the corners of another part of the surface: the same as if both had been counted at once.
+  // Adds the corners of another part of the surface; the result is the histogram of both.
   CornerHistogram& operator+=(const CornerHistogram& other);
 
   // Minus the logarithm of the share of these corners that are about as wide or wider, in radians, in

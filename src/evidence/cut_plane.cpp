@@ -11,7 +11,7 @@
 namespace rimline {
 namespace {
 
-// Less partial than the spacing of a point of the rim, whose neighbours are on one side.
+// Less biased than the spacing of a point of the rim, whose neighbours are on one side.
 double spacing_around(const Neighbours& neighbours, const std::vector<double>& spacing, Index point) {
   const auto near = neighbours.of(point, std::min(model::few_neighbours, neighbours.k));
   double sum = spacing[point];

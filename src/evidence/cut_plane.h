@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plane that a surface was cut by, as its rim shows it.
+// Detects a plane that has cut the surface, by its rim.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@ namespace rimline {
 
 class CutPlane {
  public:
-  // Where the points of a rim lie within about a spacing of one plane all along that goes across the surface;
-  // rims of few points do not tell.
+  // Finds a plane across the surface within about a spacing of all points of a rim; none for rims of few
+  // points.
   static std::optional<CutPlane> find(Points points, const Neighbours& neighbours,
                                       const std::vector<double>& spacing, const std::vector<Frame>& frames,
                                       const std::vector<Index>& rim);
 
-  // How far a point lies behind the outermost points of the rim, along the surface, in the spacings around
-  // it. Infinite where the surface lies along the plane.
+  // Distance of a point behind the outermost points of the rim, along the surface, in the spacings around it.
+  // Infinite where the surface lies along the plane.
   double depth(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                const std::vector<Frame>& frames, Index point) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether there is nothing beyond a rim.
+// Empty space beyond a rim.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace rimline {
 
-// The radius, in spacings, of the largest empty ball through both ends of a rim edge whose centre lies beyond
+// The radius, in spacings, of the largest empty ball through both ends of a rim edge with its centre beyond
 // the edge, in the plane of its triangle (with third corner `inner`); at most 5. Beyond a true boundary there
-// is nothing; beyond the end of what could be triangulated at a crease or a thin wall the surface goes on.
+// is nothing; where the triangulation ends at a crease or a thin wall the surface continues.
 double empty_ball_radius(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                          Index a, Index b, Index inner);
 

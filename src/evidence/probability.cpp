@@ -11,7 +11,7 @@ namespace {
 
 double logistic(double x) { return 1 / (1 + std::exp(-x)); }
 
-// Angle by which the way a, b, c turns in the plane of b; positive to the left as the frame sees it.
+// The turning angle of the path a, b, c in the plane of b; positive to the left as the frame sees it.
 double turning(const TriangleSet& set, Index a, Index b, Index c) {
   const Frame& f = set.frames()[b];
   const Points p = set.points();
@@ -83,7 +83,7 @@ double point_probability(double ear, bool on_rim, double chi_square_score, doubl
                     m.rim * rim);
   };
   return (on_rim ? point(model::point_on_rim) : point(model::point_behind_rim)) *
-         std::min(1.0, 2 * p);  // creases and thin walls score high too
+         std::min(1.0, 2 * p);  // creases and thin walls have high scores, too
 }
 
 double jagged_point_probability(double log_odds, double jaggedness, double loop_probability) {

@@ -55,7 +55,8 @@ RimMeasures measure_rim(const std::vector<Index>& rim, const RimEvidence& e, con
   if (radii.empty()) return {};
   std::nth_element(radii.begin(), radii.begin() + radii.size() / 2, radii.end());
   const double thickness = mean_thickness(rim, e.samples.frames);
-  // Under noise what lies beyond a small opening is too blurred to outweigh that its rim looks like a crease.
+  // Under noise the space beyond a small opening is too uncertain to outweigh that its rim looks like a
+  // crease.
   const double bend = e.sampling.noise.noise > 0
                           ? no_gap(isoperimetric_ratio(rim, e.samples)) * thickness_of_opening(rim.size())
                           : 0;

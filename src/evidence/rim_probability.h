@@ -13,18 +13,18 @@
 
 namespace rimline {
 
-// What rims are judged by. All of it must outlive it.
+// The data by which rims are judged. Holds references that must outlive it.
 struct RimEvidence {
   const TriangleSet& set;
   const Selection& selection;
-  // Per point, 1 where it came to lie on a rim as a false ear was removed: empty balls there are as narrow as
-  // the gaps between samples and say nothing of what lies beyond. Empty where none was.
+  // Per point, 1 where it became a rim point when a false ear was removed: empty balls there are as narrow as
+  // the gaps between samples and tell nothing. Empty where none was removed.
   std::span<const std::uint8_t> behind_false_ear;
   const Samples& samples;
   const SamplingProfile& sampling;
 };
 
-// What tells a boundary from the end of what could be triangulated.
+// Features that tell a boundary from the end of the triangulation.
 struct RimMeasures {
   double empty_ball = 0;  // median radius over its edges, in spacings; those at false ears do not count
   double thickness = 0;   // mean of the frames along it, less what a small opening under noise bends
@@ -32,13 +32,12 @@ struct RimMeasures {
 };
 RimMeasures measure_rim(const std::vector<Index>& rim, const RimEvidence& evidence, const Run& run);
 
-// That the rim is where the surface ends and not where the triangles happen to, at a crease or a thin wall:
-// by the number of its points, the empty balls beyond its edges and the thickness of the frames along it. In
-// [0, 1].
+// Probability in [0, 1] that the surface ends at the rim, and not just the triangulation, at a crease or a
+// thin wall: by the number of its points, the empty balls beyond its edges and the thickness of the frames
+// along it.
 double rim_probability(const std::vector<Index>& rim, const RimEvidence& evidence, const Run& run);
 
-// The same, less where the rim is no wider than the gap between two neighbours, as rims at density borders
-// are.
+// The same, reduced where the rim is no wider than the gap between two neighbours, as at density borders.
 double boundary_probability(const std::vector<Index>& rim, const RimEvidence& evidence, const Run& run);
 
 }  // namespace rimline

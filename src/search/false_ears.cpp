@@ -73,7 +73,7 @@ WithoutFalseEars remove_false_ears(const SelectedSurface& surface, const LocalSi
   result.behind.assign(samples.points.size(), 0);
   Rims rims = boundary_rims();
   result.corners = CornerHistogram(surface.set, sizes, samples.neighbours, rims, result.selection);
-  // The rim shows how jagged it is only when the first ears are gone, and what is behind them.
+  // The jaggedness of the rim is known only after the first ears, and those behind them, are removed.
   for (int layer = 1;; ++layer) {
     const std::vector<Ear> ears = find_false_ears(surface.set, result.selection, sizes, result.corners, rims);
     for (const Ear& ear : ears) {

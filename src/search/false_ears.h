@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The teeth of jagged rims.
+// Removes the false ears (teeth) of jagged rims.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@
 namespace rimline {
 
 // A false ear is a selected triangle with an edge on a jagged rim whose third corner is more likely on the
-// boundary than not. The search, which weighs the size of triangles and what the rim turns, keeps them, since
-// on an even rim nearly all of them belong to the surface.
+// boundary than not. The search, which weighs sizes and turning, keeps it, because on an even rim nearly all
+// such triangles belong to the surface.
 struct WithoutFalseEars {
   Selection selection;
   std::vector<std::uint8_t> behind;  // per point, 1 where it was the third corner of one; or empty
   CornerHistogram corners;           // on the surface behind the rims
 };
 
-// Removes the false ears of the rims that are boundaries, two layers deep, the likeliest of each layer first.
-// Not among random points or under noise, where rims look jagged by chance, nor from a range image.
+// Removes the false ears of the rims that are boundaries, two layers deep, the most probable of each layer
+// first. Not for random points or under noise, where rims look jagged by chance, nor for range images.
 WithoutFalseEars remove_false_ears(const SelectedSurface& surface, const LocalSizes& sizes,
                                    const Samples& samples, const SamplingProfile& sampling,
                                    const BoundaryLoopOptions& options, const Run& run);

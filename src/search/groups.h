@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Candidates that influence each other.
+// Groups of candidates that influence each other.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@ struct CandidateGroups {
   std::vector<std::uint32_t> place;  // of each candidate triangle in its group
 };
 
-// The candidates that are connected over shared vertices: no other influences them. Groups, and the
-// candidates in each, come in the order of their sizes, which a turn of the cloud leaves as they are: the
-// search goes through them in turn, and each group has a random stream by its number.
+// Groups of candidates that are connected by shared vertices: no other candidate influences them. Groups, and
+// the candidates in each, are sorted by size, which does not change when the cloud is turned. The search
+// processes them in this order; the random stream of a group depends on the group alone.
 CandidateGroups group_candidates(const Candidates& candidates);
 
 }  // namespace rimline
