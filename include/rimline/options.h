@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every choice of the method, with its default: written here once and read from here by the library, the
-// tool, the report and the docs.
+// All options of the method with their defaults. They are written here once; the library, the tool, the
+// report and the docs read them from here.
 #pragma once
 
 #include <array>
@@ -16,9 +16,9 @@ namespace rimline {
 
 // A named set of defaults.
 enum class Preset {
-  Default,   // the best we know
+  Default,   // the recommended method
   Paper,     // Maes & Bultheel 2004, step by step, with the approximation of eq. (2) that gives its figures
-  PaperLog,  // the same with the logarithm of eq. (2)
+  PaperLog,  // the same, with the logarithm of eq. (2)
 };
 
 // How eq. (2) enters the fitness, eq. (3).
@@ -42,17 +42,17 @@ struct BoundaryOptions {
 // Section 3: from candidates to the boundary.
 struct LoopOptions {
   ScoreForm score_form = ScoreForm::Log;
-  double score_cap = 1e-3;       // least p that the score form Capped tells from others  [docs/paper.md]
-  int path_k = 40;               // neighbours in Algorithm 3.1 (section 4; the paper's teapot wants 10)
-  int path_threshold = 0;        // least points of a closed path; 0 takes path_k + 1 (section 3.2)
-  double length_exponent = 0.9;  // of the number of points in eq. (3)
-  int population = 100;          // best paths that enter Algorithm 3.2
-  int generations = 100;         // K of Algorithm 3.2 (section 4)
-  double mutation_probability = 1e-3;           // per bit; the paper says "low"  [ours]
-  std::int64_t max_path_steps = 2'000'000'000;  // bound on neighbours looked at in Algorithm 3.1  [ours]
+  double score_cap = 1e-3;             // lower bound of p in the score form Capped  [docs/paper.md]
+  int path_k = 40;                     // neighbours in Algorithm 3.1 (section 4; the paper's teapot wants 10)
+  int path_threshold = 0;              // least points of a closed path; 0 takes path_k + 1 (section 3.2)
+  double length_exponent = 0.9;        // of the number of points in eq. (3)
+  int population = 100;                // best paths that enter Algorithm 3.2
+  int generations = 100;               // K of Algorithm 3.2 (section 4)
+  double mutation_probability = 1e-3;  // per bit; the paper says "low"  [ours]
+  std::int64_t max_path_steps = 2'000'000'000;  // limit on the neighbours visited in Algorithm 3.1  [ours]
 };
 
-// Which of the loops found are returned.
+// The loops that are returned.
 enum class LoopPolicy {
   All,
   Outer,    // the outer loop of each component
@@ -62,8 +62,8 @@ enum class LoopPolicy {
 // "all", "outer", "largest".
 const char* name(LoopPolicy policy);
 
-// Every boundary loop, in order: what the preset `default` has in place of sections 3.2 to 3.4.
-// [ours, docs/default-method.md]
+// All boundary loops, in order: the preset `default`, in place of sections 3.2 to 3.4. [ours, docs/default-
+// method.md]
 struct BoundaryLoopOptions {
   LoopPolicy loop_policy = LoopPolicy::All;
   int min_loop = 6;              // points of a loop that is returned, at least 3
@@ -72,7 +72,7 @@ struct BoundaryLoopOptions {
   int rim_generations = 30;      // at most; 0 decides each triangle by its own size
 };
 
-// Where a patch is mapped to.
+// The domain that a patch is mapped to.
 enum class Domain {
   Disc,       // the unit disc, the outer loop on the circle by chord length (section 5)
   Square,     // the unit square; its sides bulge by a thousandth, so that no triangle there is flat
@@ -86,9 +86,9 @@ const char* name(Domain domain);
 // Whether there is a map: of any domain but None.
 bool has_map(Domain domain);
 
-// How large the map is. [ours]
+// The scale of the map. [ours]
 enum class UvScale {
-  Domain,  // as the domain has it: of size 1, and at the scale of the surface for the domain Free
+  Domain,  // size of the domain: 1, or the scale of the surface for the domain Free
   Unit,    // all charts together in the square from 0 to 1
   Real,    // each component has the area that its surface has
 };
@@ -109,7 +109,7 @@ struct ParameterizeOptions {
   UvScale uv_scale = UvScale::Domain;
 };
 
-// Which holes are closed by triangles; the others are loops of the mesh's boundary. [ours]
+// The holes that are closed by triangles; the others are loops of the mesh's boundary. [ours]
 struct HolePolicy {
   bool fill = false;             // else all are kept
   std::int64_t most_points = 0;  // on the rim of a hole that is filled; 0: any number
@@ -124,7 +124,7 @@ std::string name(const HolePolicy& holes);
 // The reverse. Throws BadOption with what is allowed.
 HolePolicy parse_holes(std::string_view text);
 
-// What becomes of handles that are a few spacings long: noise, not shape. [ours]
+// Treatment of handles that are a few spacings long: they are noise, not shape. [ours]
 enum class HandlePolicy {
   Repair,  // cut or closed where that changes few triangles
   Keep,
@@ -138,9 +138,9 @@ struct MeshOptions {
   HolePolicy holes;          // the paper's presets fill every hole through the map
   bool fill_points = false;  // new vertices where holes are filled, at the spacing of the rim [ours]
   Point up = {0, 0, 1};      // the mesh faces this way on average, where the input has no normals
-  int refine_rounds = 4;     // most times the mesh is triangulated anew from its map [ours]
+  int refine_rounds = 4;     // upper bound of the rounds of triangulating the map anew [ours]
   HandlePolicy handles = HandlePolicy::Repair;
-  bool strict = false;  // a component that can not be meshed is an error, the others being no result [ours]
+  bool strict = false;  // a component that can not be meshed makes the whole run fail [ours]
 };
 
 struct Options {
@@ -152,28 +152,28 @@ struct Options {
   MeshOptions mesh;
 };
 
-// Where an option counts.
+// The presets in which an option has an effect.
 enum class UsedBy {
   All,
-  Default,  // in the preset `default` alone
-  Paper,    // in the presets `paper` and `paper-log`
+  Default,  // the preset `default` alone
+  Paper,    // the presets `paper` and `paper-log`
   Capped,   // likewise, with the score form Capped
 };
 
-// The length of the lists of neighbours that a run keeps.
+// The number of neighbours that a run finds for each point.
 int most_neighbours(const Options& options);
 
 // The defaults of a preset.
 Options preset_options(Preset preset);
 
-// Whether an option counts under these.
+// Whether an option has an effect under these options.
 bool counts(UsedBy used_by, const Options& options);
 
 // "of the preset default alone", "of the presets paper and paper-log alone", ...; "" for All.
 std::string where_used(UsedBy used_by);
 
-// Throws BadOption, naming the option, its value and its range, where a field is out of range, and naming the
-// presets that use it where one is not at its default that does not count.
+// Throws BadOption where a field is out of its range, with the name, the value and the range; and where an
+// option that has no effect is not at its default, with the presets that use it.
 void check_options(const Options& options);
 
 // One field of the options as the tool, the report and the docs see it. `name` has the spelling of C++
@@ -184,7 +184,7 @@ struct Field {
   T& value;
   std::remove_const_t<T> least, most;  // the range, both ends included (equal where T is not a number)
   const char* help;                    // one line: what it is, its unit, its source
-  UsedBy used_by;                      // where it counts
+  UsedBy used_by;                      // the presets in which it has an effect
   const char* zero = "";  // the word for 0, where there is one: 0 leaves the choice to the method
 };
 
@@ -207,8 +207,8 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
         "eq. (2) as printed (1/p), capped (1/max(p, score_cap), section 3.3: an approximation) or its log "
         "[ours]",
         UsedBy::Paper);
-  field("score_cap", o.loops.score_cap, tiny, 1.0,
-        "least p that the score form capped tells from others [ours]", UsedBy::Capped);
+  field("score_cap", o.loops.score_cap, tiny, 1.0, "lower bound of p in the score form capped [ours]",
+        UsedBy::Capped);
   field("path_k", o.loops.path_k, 1, 1000, "neighbours in Algorithm 3.1 (section 4)", UsedBy::Paper);
   field("path_threshold", o.loops.path_threshold, 0, 1'000'000'000,
         "least points of a closed path; 0 takes path_k + 1 (section 3.2)", UsedBy::Paper);
@@ -231,32 +231,29 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
   field("rim_population", o.boundary_loops.rim_population, 2, 100'000,
         "chromosomes per group of candidate triangles [ours]", UsedBy::Default);
   field("rim_generations", o.boundary_loops.rim_generations, 0, 1'000'000,
-        "most generations of a group; 0 decides each candidate by its size alone [ours]", UsedBy::Default);
+        "upper bound of the generations of a group; 0 decides each candidate by its size alone [ours]",
+        UsedBy::Default);
   field("domain", o.map.domain, Domain::Disc, Domain::Disc,
-        "where a patch is mapped to: free is least squares conformal at real scale, none no map [ours]",
+        "domain of a patch's map: free is least squares conformal at real scale, none makes no map [ours]",
         UsedBy::Default);
   field("map_k", o.map.map_k, 3, 1000, "neighbours per interior point in eq. (4) [ours]", UsedBy::Paper);
   field("residual", o.map.residual, 1e-15, 1e-2, "relative residual of the solve of eq. (4)");
   field("charts", o.map.charts, 0, 1'000'000,
-        "charts of each component: 1 cuts only what is no disc with holes; auto cuts free maps, too, until "
-        "their "
-        "stretch is at most 2 on average and 100 at worst; N cuts into at least so many [ours]",
+        "charts of each component: 1 cuts only surfaces that are not discs with holes; auto also cuts free "
+        "maps until their stretch is at most 2 on average and 100 at worst; N makes at least N charts [ours]",
         UsedBy::Default, "auto");
   field("uv_scale", o.map.uv_scale, UvScale::Domain, UvScale::Domain,
-        "size of the map: the domain's own, unit for all within the square from 0 to 1, real for the area of "
-        "the "
+        "size of the map: the domain's own, unit for the square from 0 to 1, real for the area of the "
         "surface [ours]",
         UsedBy::Default);
   field("refine_rounds", o.mesh.refine_rounds, 1, 100,
-        "most times the mesh is triangulated anew from its map [ours]", UsedBy::Default);
+        "upper bound of the rounds of triangulating the map anew [ours]", UsedBy::Default);
   field("fill_points", o.mesh.fill_points, false, true,
-        "give holes that are filled vertices of their own, at the spacing of their rims [ours]",
-        UsedBy::Default);
+        "new vertices where holes are filled, at the spacing of their rims [ours]", UsedBy::Default);
   field("handles", o.mesh.handles, HandlePolicy::Repair, HandlePolicy::Repair,
-        "short handles are noise: repair cuts or closes them where that changes few triangles [ours]",
+        "short handles, which are noise: repair cuts or closes them where that changes few triangles [ours]",
         UsedBy::Default);
-  field("strict", o.mesh.strict, false, true,
-        "end with status 3 where a component can not be meshed, in place of the others [ours]",
+  field("strict", o.mesh.strict, false, true, "fail with status 3 where a component can not be meshed [ours]",
         UsedBy::Default);
 }
 
