@@ -2,15 +2,19 @@
 #include "map/atlas.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "base/vec.h"
+#include "map/angle_error.h"
 #include "map/bisect.h"
 #include "map/cut_graph.h"
+#include "mesh/corner_angles.h"
 #include "solve/sparse.h"
 
 namespace rimline {
@@ -44,12 +48,30 @@ std::vector<Index> other_rims(const OpenMesh& open, Index vertex) {
   return rims;
 }
 
+// The inner vertex whose angles differ most from 2 pi, where that is much: a needle, or a fold.
+Index sharpest_cone(const OpenMesh& open) {
+  constexpr double much = 2;  // radians
+  constexpr double full = 2 * std::numbers::pi;
+  std::vector<double> angle(open.points.size(), 0);
+  for (const auto& [a, b, c] : open.mesh.triangles) {
+    const auto own = corner_angles(open.points[a], open.points[b], open.points[c]);
+    angle[a] += own[0], angle[b] += own[1], angle[c] += own[2];
+  }
+  for (const Loop& loop : open.loops) {
+    for (const Index v : loop.points) angle[v] = full;
+  }
+  const auto off = [&](double sum) { return std::abs(full - sum); };
+  const auto sharpest = std::ranges::max_element(angle, {}, off);
+  return off(*sharpest) > much ? static_cast<Index>(sharpest - angle.begin()) : none;
+}
+
 constexpr std::size_t most_slits = 12;  // in one chart
+constexpr Index large = 200'000;  // vertices; the outline first, all that is tried above it, keeps angles
 
 }  // namespace
 
-Atlas::Atlas(const ChartOptions& options, const Run& run)
-    : options_(options), run_(run), is_free_(options.charts != 1) {}
+Atlas::Atlas(const ChartOptions& options, const AngleError& most_error, const Run& run)
+    : options_(options), run_(run), most_error_(most_error), is_free_(options.charts != 1) {}
 
 Atlas::Outlook Atlas::look(const OpenMesh& open) {
   constexpr double rough = 1e-6;  // residual of maps that only decide where to cut
@@ -66,12 +88,55 @@ bool Atlas::promises(const Stretch& stretch) const {
   return stretch.mean <= margin * options_.mean_stretch && stretch.worst <= margin * options_.worst_stretch;
 }
 
-std::optional<Chart> Atlas::mapped(OpenMesh open, const Outlook& outlook) const {
-  Chart chart{std::move(open), {}, outlook.worst};
-  chart.map = free_chart(chart.open, outlook.turning, options_.residual, false, run_);
-  if (!chart.map) return {};
+// Whether a map that keeps lengths more and angles less may do.
+bool Atlas::is_near(const Stretch& stretch) const {
+  constexpr double far = 3;
+  return most_error_.corner > 0 && !promises(stretch) && stretch.mean <= far * options_.mean_stretch &&
+         stretch.worst <= far * options_.worst_stretch;
+}
+
+bool Atlas::holds(const Chart& chart) const {
   const Stretch stretch = stretch_of_map(chart.open, chart.map->uv);
-  if (!(stretch.mean <= options_.mean_stretch && stretch.worst <= options_.worst_stretch)) return {};
+  return stretch.mean <= options_.mean_stretch && stretch.worst <= options_.worst_stretch;
+}
+
+bool Atlas::is_worse_than_disc(const Chart& chart) const {
+  const AngleError error = angle_error(chart.open, chart.map->uv);
+  return chart.open.vertices() <= large && is_above(error, least_error_of_disc(chart.open)) &&
+         is_above(error, error_of_disc(chart.open, options_.residual, run_));
+}
+
+AngleError Atlas::error() const {
+  AngleError sum;
+  double area = 0;
+  std::size_t triangles = 0;
+  for (const Chart& chart : done_) {
+    const AngleError own = angle_error(chart.open, chart.map->uv);
+    double own_area = 0;
+    for (const Triangle& t : chart.open.mesh.triangles) own_area += triangle_area(chart.open.points, t);
+    sum.corner += own.corner * static_cast<double>(chart.open.mesh.triangles.size());
+    sum.area += own.area * own_area;
+    triangles += chart.open.mesh.triangles.size();
+    area += own_area;
+  }
+  return {sum.corner / static_cast<double>(std::max<std::size_t>(1, triangles)),
+          area > 0 ? sum.area / area : 0};
+}
+
+std::optional<Chart> Atlas::mapped(OpenMesh open, const Outlook& outlook) {
+  constexpr double isometry = 0.03, more = 0.3;
+  Chart chart{std::move(open), {}, outlook.worst};
+  const auto effort = [&](double weight) { return ChartEffort{2 * work_left_ / 3, weight}; };
+  const auto take_over = [&](FreeChart made) {
+    work_left_ -= made.work;
+    chart.map = std::move(made.map);
+  };
+  take_over(free_chart(chart.open, outlook.turning, options_.residual, effort(isometry), run_));
+  if (chart.map && !holds(chart)) {
+    take_over(evened_chart(chart.open, *chart.map, effort(more), run_));
+    if (chart.map && is_above(angle_error(chart.open, chart.map->uv), most_error_)) return {};
+  }
+  if (!chart.map || !holds(chart)) return {};
   chart.worst = most_stretched(chart.open, chart.map->uv);
   return chart;
 }
@@ -79,6 +144,7 @@ std::optional<Chart> Atlas::mapped(OpenMesh open, const Outlook& outlook) const 
 std::optional<Chart> Atlas::with_slits(const OpenMesh& open, Outlook outlook) {
   constexpr double progress = 0.97;  // of the mean or the worst stretch: more is none
   OpenMesh slitted = open;
+  if (promises(outlook.stretch)) return mapped(std::move(slitted), outlook);
   for (std::size_t k = 0; k < most_slits && looks_left_ >= open.vertices(); ++k) {
     run_.check_cancel();
     const std::vector<Index> rims = other_rims(slitted, outlook.worst);
@@ -97,6 +163,22 @@ std::optional<Chart> Atlas::with_slits(const OpenMesh& open, Outlook outlook) {
   return {};
 }
 
+std::optional<OpenMesh> Atlas::without_cones(const OpenMesh& open) {
+  constexpr std::size_t most = 40;
+  OpenMesh slitted = open;
+  for (std::size_t k = 0; k < most; ++k) {
+    run_.check_cancel();
+    const Index cone = sharpest_cone(slitted);
+    if (cone == none) break;
+    std::vector<OpenMesh> parts = open_parts(slitted, std::vector<Index>(slitted.mesh.triangles.size(), 0),
+                                             slit(slitted, cone, other_rims(slitted, cone)));
+    if (parts.size() != 1) return {};
+    slitted = std::move(parts.front());
+  }
+  if (slitted.vertices() == open.vertices()) return {};
+  return slitted;
+}
+
 bool Atlas::cut(const OpenMesh& open, Index vertex) {
   if (open.mesh.triangles.size() < 2) return false;
   for (OpenMesh& part : halves(open, vertex)) open_.push_back(std::move(part));
@@ -106,21 +188,24 @@ bool Atlas::cut(const OpenMesh& open, Index vertex) {
 void Atlas::treat(OpenMesh open) {
   if (!is_free_) {
     Chart chart{std::move(open), {}, 0};
-    chart.map = free_chart(chart.open, {}, options_.residual, true, run_);
+    chart.map = free_chart(chart.open, {}, options_.residual, {}, run_).map;
+    if (chart.map && is_worse_than_disc(chart)) chart.map.reset();
     if (!chart.map) chart.map = disc_chart(chart.open, options_.residual, run_);
     failed_ = failed_ || !chart.map;
     done_.push_back(std::move(chart));
     return;
   }
   const Outlook outlook = look(open);
-  if (promises(outlook.stretch)) {
+  if (auto chart = with_slits(open, outlook)) return done_.push_back(std::move(*chart));
+  if (is_near(outlook.stretch)) {
     if (auto chart = mapped(open, outlook)) return done_.push_back(std::move(*chart));
-  } else if (auto chart = with_slits(open, outlook)) {
-    return done_.push_back(std::move(*chart));
+  }
+  if (const auto slitted = without_cones(open)) {
+    if (auto chart = with_slits(*slitted, look(*slitted))) return done_.push_back(std::move(*chart));
   }
   if (cut(open, outlook.worst)) return;
   Chart last{std::move(open), {}, 0};  // a single triangle
-  last.map = free_chart(last.open, {}, options_.residual, true, run_);
+  last.map = free_chart(last.open, {}, options_.residual, {}, run_).map;
   failed_ = failed_ || !last.map;
   done_.push_back(std::move(last));
 }
@@ -128,8 +213,12 @@ void Atlas::treat(OpenMesh open) {
 void Atlas::take(std::vector<OpenMesh> parts) {
   // Limits over all charts, for slits and for joining; higher on small surfaces.
   constexpr std::int64_t looks_a_vertex = 25, more = 100, small = 20'000;
-  for (const OpenMesh& part : parts)
+  constexpr std::int64_t steps = 60, more_work = 2'000'000;
+  for (const OpenMesh& part : parts) {
+    work_left_ += steps * std::min<std::int64_t>(part.vertices(), small);
     looks_left_ += looks_a_vertex * part.vertices() + more * std::min<std::int64_t>(part.vertices(), small);
+  }
+  work_left_ += more_work;
   for (OpenMesh& part : parts) open_.push_back(std::move(part));
   while (!open_.empty()) {
     run_.check_cancel();
@@ -213,8 +302,7 @@ void Atlas::join(const OpenMesh& whole) {
       OpenMesh open = open_selection(whole, both);
       if (open.loops.empty()) continue;
       const Outlook outlook = look(open);
-      std::optional<Chart> chart =
-          promises(outlook.stretch) ? mapped(std::move(open), outlook) : with_slits(open, outlook);
+      std::optional<Chart> chart = with_slits(open, outlook);
       if (!chart) continue;
       done_[a] = std::move(*chart);
       fresh[a] = gone[b] = 1;

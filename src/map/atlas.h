@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "map/angle_error.h"
 #include "map/conformal_scale.h"
 #include "map/free_chart.h"
 #include "map/open_mesh.h"
@@ -22,7 +23,8 @@ struct Chart {
 
 class Atlas {
  public:
-  Atlas(const ChartOptions& options, const Run& run);
+  // `most_error`: above which lengths are not kept at the cost of angles; 0: they never are.
+  Atlas(const ChartOptions& options, const AngleError& most_error, const Run& run);
 
   // Maps the parts, which are discs with holes; where the choice is free, cuts until the bounds hold.
   void take(std::vector<OpenMesh> parts);
@@ -37,6 +39,7 @@ class Atlas {
   void append(Atlas&& other);
 
   std::vector<Chart>& charts() { return done_; }
+  AngleError error() const;                // of all charts together
   bool failed() const { return failed_; }  // whether a chart has no map
 
  private:
@@ -49,15 +52,21 @@ class Atlas {
 
   Outlook look(const OpenMesh& open);
   bool promises(const Stretch& stretch) const;
-  std::optional<Chart> mapped(OpenMesh open, const Outlook& outlook) const;
+  bool is_near(const Stretch& stretch) const;
+  bool is_worse_than_disc(const Chart& chart) const;
+  bool holds(const Chart& chart) const;
+  std::optional<Chart> mapped(OpenMesh open, const Outlook& outlook);
   std::optional<Chart> with_slits(const OpenMesh& open, Outlook outlook);
+  std::optional<OpenMesh> without_cones(const OpenMesh& open);
   void treat(OpenMesh open);
   bool cut(const OpenMesh& open, Index vertex);
 
   const ChartOptions& options_;
   const Run& run_;
+  AngleError most_error_;
   bool is_free_, failed_ = false;
-  std::int64_t looks_left_ = 0;  // remaining budget, in vertices of charts
+  std::int64_t looks_left_ = 0;  // vertices of charts that may yet be looked at
+  std::int64_t work_left_ = 0;   // steps of descents times triangles
   std::vector<OpenMesh> open_;
   std::vector<Chart> done_;
 };

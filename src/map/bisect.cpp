@@ -131,15 +131,46 @@ void drop_islands(const OpenMesh& open, Labels& label) {
   }
 }
 
+// Of the area that has the label 0.
+double share_of(const OpenMesh& open, const Labels& label) {
+  double own = 0, whole = 0;
+  for (std::size_t t = 0; t < label.size(); ++t) {
+    const double area = triangle_area(open.points, open.mesh.triangles[t]);
+    whole += area;
+    if (label[t] == 0) own += area;
+  }
+  return whole > 0 ? own / whole : 0.5;
+}
+
+// Triangle by triangle over sides, from the first in the order, until half of them are in.
+Labels grown_half(const OpenMesh& open, const Ranking& ranking) {
+  Labels label(ranking.order.size(), 1);
+  std::vector<Index> front{ranking.order.front()};
+  label[front.front()] = 0;
+  for (std::size_t i = 0; i < front.size() && 2 * front.size() < label.size(); ++i) {
+    for (const Index other : open.mesh.adjacent[front[i]]) {
+      if (other == none || label[other] == 0) continue;
+      label[other] = 0;
+      front.push_back(other);
+    }
+  }
+  return label;
+}
+
 }  // namespace
 
 std::vector<Index> bisect(const OpenMesh& open, Index vertex) {
+  constexpr double least = 0.05;  // of the area on either side: less comes of a cut in many pieces
   const Ranking ranking = rank(open, share_of_way(open, vertex));
   const std::size_t cut = best_cut(open, ranking);
   Labels label(ranking.order.size(), 1);
   for (std::size_t i = 0; i < cut; ++i) label[ranking.order[i]] = 0;
   straighten(open, label);
   drop_islands(open, label);
+  if (const double share = share_of(open, label); share < least || share > 1 - least) {
+    label = grown_half(open, ranking);
+    drop_islands(open, label);
+  }
   if (std::ranges::adjacent_find(label, std::not_equal_to{}) == label.end())
     label[ranking.order.front()] = 1 - label[ranking.order.front()];
   return label;

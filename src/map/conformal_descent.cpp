@@ -34,10 +34,11 @@ double step_to_flat(const ConformalTriangle::Corners& x, const ConformalTriangle
 // between the loops and a box about all.
 class Descent {
  public:
-  Descent(Points points, const Triangulation& mesh, const std::vector<Loop>& loops, std::vector<UV> uv)
+  Descent(Points points, const Triangulation& mesh, const std::vector<Loop>& loops, double isometry,
+          std::vector<UV> uv)
       : points_(static_cast<Index>(points.size())), loops_(loops), uv_(std::move(uv)) {
     for (const Triangle& t : mesh.triangles) {
-      const ConformalTriangle flat({points[t[0]], points[t[1]], points[t[2]]});
+      const ConformalTriangle flat({points[t[0]], points[t[1]], points[t[2]]}, isometry);
       if (flat.area() > 0) add(t, flat, flat.area());
     }
     surface_ = triangles_.size();
@@ -213,17 +214,18 @@ int most_descent_steps(std::size_t triangles) {
 }
 
 int relax_conformally(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
-                      std::vector<UV>& uv, const Run& run) {
+                      const DescentOptions& options, std::vector<UV>& uv, const Run& run) {
   constexpr int look_back = 5;
   constexpr double settled = 0.05;  // of the energy in excess of that without distortion
   constexpr double outside = 0.01;  // of the same, for what lies outside
-  Descent descent(points, mesh, loops, uv);
+  Descent descent(points, mesh, loops, options.isometry, uv);
   double least = 0;  // the energy if there were no distortion
   for (const Triangle& t : mesh.triangles)
-    least += ConformalTriangle({points[t[0]], points[t[1]], points[t[2]]}).area();
+    least += (1 + options.isometry) * ConformalTriangle({points[t[0]], points[t[1]], points[t[2]]}).area();
   std::vector<double> excess{descent.energy() - least};
   if (!(least > 0) || !std::isfinite(excess.front())) return 0;
-  const int most_steps = most_descent_steps(mesh.triangles.size());
+  const int most_steps =
+      options.most_steps > 0 ? options.most_steps : most_descent_steps(mesh.triangles.size());
   int steps = 0;
   while (steps < most_steps) {
     run.check_cancel();

@@ -18,14 +18,20 @@ double conformal_distortion(Points points, const Triangulation& mesh, const std:
 // and one that does not would take fifty times as long as the other maps of a large mesh.
 int most_descent_steps(std::size_t triangles);
 
+struct DescentOptions {
+  double isometry = 0;  // weight of the energy that keeps lengths, for which the map must have about the area
+                        // of the surface
+  int most_steps = 0;   // 0: most_descent_steps()
+};
+
 // Releases the outline of a map and descends by Newton's method towards the least conformal distortion
 // (conformal_energy.h). The map must be free of flips, and its loops must neither cross nor touch. Both stay
 // so: the region outside of the surface is triangulated at each step and may not flip (Jiang, Schaefer,
 // Panozzo 2017, "Simplicial complex augmentation framework for bijective maps"). `uv` has one entry per
 // point. Returns the number of steps. It is 0 if the map does not meet these conditions, or if no step lowers
 // the energy.
-// At most most_descent_steps() are made, each of which solves a system of the size of the mesh.
+// Each step solves a system of the size of the mesh.
 int relax_conformally(Points points, const Triangulation& mesh, const std::vector<Loop>& loops,
-                      std::vector<UV>& uv, const Run& run);
+                      const DescentOptions& options, std::vector<UV>& uv, const Run& run);
 
 }  // namespace rimline

@@ -27,7 +27,7 @@ Eigen::Matrix2d positive_part(double a, double b, double d) {
 
 }  // namespace
 
-ConformalTriangle::ConformalTriangle(const std::array<Point, 3>& p) {
+ConformalTriangle::ConformalTriangle(const std::array<Point, 3>& p, double isometry) : isometry_(isometry) {
   constexpr double flattest = 1e-3;
   const Point e = p[1] - p[0], f = p[2] - p[0], g = f - e;
   const double longest = std::sqrt(std::max({dot(e, e), dot(f, f), dot(g, g)}));
@@ -58,23 +58,29 @@ double ConformalTriangle::value(const Corners& uv) const {
   Complex alpha, beta;
   coefficients(uv, alpha, beta);
   const double p = std::norm(alpha), q = std::norm(beta);
-  return p > q ? (p + q) / (p - q) : std::numeric_limits<double>::infinity();
+  const double d = p - q;
+  if (!(d > 0)) return std::numeric_limits<double>::infinity();
+  return (p + q) / d + isometry_ * (p + q) / 2 * (1 + 1 / (d * d));
 }
 
 void ConformalTriangle::derivatives(const Corners& uv, Gradient& gradient, Hessian& hessian) const {
   Complex alpha, beta;
   coefficients(uv, alpha, beta);
   const double a = std::abs(alpha), b = std::abs(beta), p = a * a, q = b * b, d = p - q;
-  // By p and by q, then twice.
-  const double by_p = -2 * q / (d * d), by_q = 2 * p / (d * d);
-  const double by_pp = 4 * q / (d * d * d), by_qq = 4 * p / (d * d * d), by_pq = -2 * (p + q) / (d * d * d);
+  // By the sum s = p + q and by d, once and twice; then by p and by q.
+  const double s = p + q, k = isometry_;
+  const double by_s = 1 / d + k / 2 * (1 + 1 / (d * d)), by_d = -s / (d * d) - k * s / (d * d * d);
+  const double by_sd = -1 / (d * d) - k / (d * d * d);
+  const double by_dd = 2 * s / (d * d * d) + 3 * k * s / (d * d * d * d);
+  const double by_p = by_s + by_d, by_q = by_s - by_d;
+  const double by_pp = by_dd + 2 * by_sd, by_qq = by_dd - 2 * by_sd, by_pq = -by_dd;
   // The value depends on |alpha| and |beta| alone: along each it curves as the function of two variables
   // does, across them by the slope over the radius.
   const Eigen::Matrix2d along =
       positive_part(2 * by_p + 4 * p * by_pp, 4 * a * b * by_pq, 2 * by_q + 4 * q * by_qq);
   const Eigen::Vector2d ua = unit(alpha), ub = unit(beta);
-  const auto outer = [](const Eigen::Vector2d& s, const Eigen::Vector2d& t) -> Eigen::Matrix2d {
-    return s * t.transpose();
+  const auto outer = [](const Eigen::Vector2d& x, const Eigen::Vector2d& y) -> Eigen::Matrix2d {
+    return x * y.transpose();
   };
   const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
   Eigen::Matrix4d h;

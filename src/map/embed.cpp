@@ -34,11 +34,18 @@ std::size_t raise_evenness(const Triangulation& mesh, const std::vector<Index>& 
 
 }  // namespace
 
+bool has_height(const std::vector<UV>& uv, const Triangle& t, double least) {
+  const UV e = uv[t[1]] - uv[t[0]], f = uv[t[2]] - uv[t[0]], g = f - e;
+  const double square = std::max({e.u * e.u + e.v * e.v, f.u * f.u + f.v * f.v, g.u * g.u + g.v * g.v});
+  return e.u * f.v - e.v * f.u > least * square;
+}
+
 std::vector<Index> flipped_triangles(const std::vector<Triangle>& triangles, const std::vector<UV>& uv,
-                                     const Run& run) {
+                                     const Run& run, double least) {
   std::vector<char> flipped(triangles.size());
-  parallel_for_each(triangles.size(), Stage::Refine, run,
-                    [&](Index t) { flipped[t] = !(twice_area(uv, triangles[t]) > 0); });
+  parallel_for_each(triangles.size(), Stage::Refine, run, [&](Index t) {
+    flipped[t] = least > 0 ? !has_height(uv, triangles[t], least) : !(twice_area(uv, triangles[t]) > 0);
+  });
   std::vector<Index> found;
   for (std::size_t t = 0; t < flipped.size(); ++t) {
     if (flipped[t]) found.push_back(static_cast<Index>(t));
@@ -47,7 +54,7 @@ std::vector<Index> flipped_triangles(const std::vector<Triangle>& triangles, con
 }
 
 Embedding embed(Points points, const Triangulation& mesh, const std::vector<Loop>& loops, double residual,
-                int repairs, std::vector<UV>& uv, const Run& run) {
+                int repairs, std::vector<UV>& uv, const Run& run, double least) {
   constexpr double exact = 1e-14;  // near the limit of double precision, which crowded regions need
   const Index n = static_cast<Index>(points.size());
   std::vector<char> fixed(uv.size(), 0);
@@ -61,7 +68,7 @@ Embedding embed(Points points, const Triangulation& mesh, const std::vector<Loop
       throw Error(ErrorCode::NoConvergence,
                   "the map's linear system was not solved to the residual asked for");
     }
-    const std::vector<Index> flipped = flipped_triangles(mesh.triangles, uv, run);
+    const std::vector<Index> flipped = flipped_triangles(mesh.triangles, uv, run, least);
     embedding.flips = flipped.size();
     if (flipped.empty() || attempt == repairs) return embedding;
     if (attempt == 0) {

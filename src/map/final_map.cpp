@@ -62,7 +62,7 @@ FinalMap final_map(Points points, const Triangulation& mesh, const std::vector<L
   FinalMap map = map_to_outline(points, mesh, loops, options, std::move(uv), run);
   if (!traits(options.domain).released) return map;
   // Starts from the disc's map, which has no flips and no crossings, and keeps it so.
-  if (map.flips == 0 && relax_conformally(points, mesh, loops, map.uv, run) > 0) {
+  if (map.flips == 0 && relax_conformally(points, mesh, loops, {}, map.uv, run) > 0) {
     lay_out(points, mesh, loops, map);
   } else {
     scale_to_area(points, mesh, map.uv);

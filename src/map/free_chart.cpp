@@ -22,11 +22,8 @@ constexpr double flat_mean = 1.05;  // bound of conformal_distortion(): above it
 // Whether all triangles keep a height when the chart is moved.
 bool have_height(const OpenMesh& open, const std::vector<UV>& uv) {
   constexpr double least = 1e-9;  // of the longest side
-  return std::ranges::all_of(open.mesh.triangles, [&](const Triangle& t) {
-    const UV e = uv[t[1]] - uv[t[0]], f = uv[t[2]] - uv[t[0]], g = f - e;
-    const double square = std::max({e.u * e.u + e.v * e.v, f.u * f.u + f.v * f.v, g.u * g.u + g.v * g.v});
-    return e.u * f.v - e.v * f.u > least * square;
-  });
+  return std::ranges::all_of(open.mesh.triangles,
+                             [&](const Triangle& t) { return has_height(uv, t, least); });
 }
 
 bool is_valid(const OpenMesh& open, const std::vector<UV>& uv) {
@@ -57,26 +54,42 @@ ChartMap laid_out(const OpenMesh& open, std::vector<UV> uv, const MapSummary& su
   return {std::move(uv), Domain::Free, summary};
 }
 
-// Descends from a valid map.
-std::optional<ChartMap> relaxed(const OpenMesh& open, std::vector<UV> uv, const MapSummary& summary,
-                                const Run& run) {
-  if (!is_valid(open, uv)) return {};
-  relax_conformally(open.points, open.mesh, open.loops, uv, run);
-  if (!is_valid(open, uv)) return {};
-  return laid_out(open, std::move(uv), summary);
+int steps_of(const OpenMesh& open, const ChartEffort& effort) {
+  constexpr std::int64_t most = 100;
+  if (effort.work == ChartEffort{}.work) return most_descent_steps(open.mesh.triangles.size());
+  return static_cast<int>(std::min(most, effort.work / std::max<std::int64_t>(1, open.mesh.size())));
 }
 
-// Maps inside the outline given by `uv`.
-std::optional<ChartMap> anew_within(const OpenMesh& open, std::vector<UV> uv, double residual,
-                                    const Run& run) {
-  constexpr int repairs = 4;
+bool descends(const OpenMesh& open, const ChartEffort& effort) {
+  constexpr int few = 5;  // steps that lead nowhere
+  return steps_of(open, effort) >= few;
+}
+
+// Descends from a valid map.
+FreeChart relaxed(const OpenMesh& open, std::vector<UV> uv, const MapSummary& summary,
+                  const ChartEffort& effort, const Run& run) {
+  if (!is_valid(open, uv)) return {};
+  scale_chart(open, uv);
+  const DescentOptions options{effort.isometry, steps_of(open, effort)};
+  const int steps = relax_conformally(open.points, open.mesh, open.loops, options, uv, run);
+  FreeChart chart{{}, steps * static_cast<std::int64_t>(open.mesh.triangles.size())};
+  if (is_valid(open, uv)) chart.map = laid_out(open, std::move(uv), summary);
+  return chart;
+}
+
+// Within the outline that `uv` has.
+FreeChart anew_within(const OpenMesh& open, std::vector<UV> uv, double residual, const ChartEffort& effort,
+                      const Run& run) {
+  constexpr int repairs = 5;
+  constexpr double least = 1e-6;  // height of a triangle from which a descent gets on
   if (!crossing_points({open.loops.front()}, uv).empty()) return {};
   uv.resize(open.points.size() + open.loops.size() - 1);
-  const Embedding inside = embed(open.points, open.mesh, open.loops, residual, repairs, uv, run);
-  if (inside.flips > 0) return {};
+  const Embedding inside = embed(open.points, open.mesh, open.loops, residual, repairs, uv, run, least);
   uv.resize(open.points.size());
-  if (is_good(open, uv)) return laid_out(open, std::move(uv), inside.map);
-  return relaxed(open, std::move(uv), inside.map, run);
+  if (!have_height(open, uv)) return {};
+  if (is_good(open, uv)) return {laid_out(open, std::move(uv), inside.map)};
+  if (!descends(open, effort)) return {};
+  return relaxed(open, std::move(uv), inside.map, effort, run);
 }
 
 std::optional<ChartMap> to_disc(const OpenMesh& open, double residual, const Run& run) {
@@ -90,30 +103,9 @@ std::optional<ChartMap> to_disc(const OpenMesh& open, double residual, const Run
   return ChartMap{std::move(uv), Domain::Disc, disc.map};
 }
 
-std::optional<ChartMap> first_good(const OpenMesh& open, const std::vector<double>& turning, double residual,
-                                   bool patient, const Run& run) {
-  constexpr Index large = 30'000, too_large = 200'000;  // vertices: for least squares at first, and at all
-  constexpr double little = 1e-3;                       // bound that leaves no inner edge without weight
-  std::vector<UV> uv;
-  if (open.vertices() > large && !turning.empty()) {
-    const MapSummary summary = map_outline_first(open, turning, residual, uv, run);
-    if (is_good(open, uv)) return laid_out(open, std::move(uv), summary);
-    if (!patient || open.vertices() > too_large) return {};
-  }
-  for (const double least : {0.0, little}) {
-    const MapSummary summary = free_map(open.points, open.mesh, open.loops.front().points, least, uv, run);
-    if (is_good(open, uv)) return laid_out(open, std::move(uv), summary);
-    if (have_height(open, uv)) break;
-  }
-  if (auto map = anew_within(open, uv, residual, run)) return map;
-  if (!patient) return {};
-  const auto disc = to_disc(open, residual, run);
-  return disc ? relaxed(open, disc->uv, disc->summary, run) : std::nullopt;
-}
-
-// None where a system could not be solved.
+// Nothing where a system could not be solved.
 template <class Map>
-std::optional<ChartMap> where_solved(const Map& map) {
+auto where_solved(const Map& map) -> decltype(map()) {
   try {
     return map();
   } catch (const Error& error) {
@@ -122,15 +114,45 @@ std::optional<ChartMap> where_solved(const Map& map) {
   }
 }
 
+FreeChart first_good(const OpenMesh& open, const std::vector<double>& turning, double residual,
+                     const ChartEffort& effort, const Run& run) {
+  constexpr Index large = 30'000, too_large = 200'000;  // vertices: for least squares at first, and at all
+  constexpr double little = 1e-3;                       // then no inner edge without a weight
+  std::vector<UV> uv;
+  if (open.vertices() > large && !turning.empty()) {
+    const MapSummary summary = map_outline_first(open, turning, residual, uv, run);
+    if (is_good(open, uv)) return {laid_out(open, std::move(uv), summary)};
+    if (!descends(open, effort) || open.vertices() > too_large) return {};
+  }
+  for (const double least : {0.0, little}) {
+    const MapSummary summary = free_map(open.points, open.mesh, open.loops.front().points, least, uv, run);
+    if (is_good(open, uv)) return {laid_out(open, std::move(uv), summary)};
+    if (have_height(open, uv)) break;
+  }
+  FreeChart chart = where_solved([&] { return anew_within(open, uv, residual, effort, run); });
+  if (chart.map || !descends(open, effort)) return chart;
+  const auto disc = to_disc(open, residual, run);
+  if (!disc) return chart;
+  const std::int64_t before = chart.work;
+  chart = relaxed(open, disc->uv, disc->summary, effort, run);
+  chart.work += before;
+  return chart;
+}
+
 }  // namespace
 
 std::optional<ChartMap> disc_chart(const OpenMesh& open, double residual, const Run& run) {
   return where_solved([&] { return to_disc(open, residual, run); });
 }
 
-std::optional<ChartMap> free_chart(const OpenMesh& open, const std::vector<double>& turning, double residual,
-                                   bool patient, const Run& run) {
-  return where_solved([&] { return first_good(open, turning, residual, patient, run); });
+FreeChart free_chart(const OpenMesh& open, const std::vector<double>& turning, double residual,
+                     const ChartEffort& effort, const Run& run) {
+  return where_solved([&] { return first_good(open, turning, residual, effort, run); });
+}
+
+FreeChart evened_chart(const OpenMesh& open, const ChartMap& from, const ChartEffort& effort,
+                       const Run& run) {
+  return where_solved([&] { return relaxed(open, from.uv, from.summary, effort, run); });
 }
 
 }  // namespace rimline

@@ -2,6 +2,7 @@
 // The free map of one chart.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -17,12 +18,27 @@ struct ChartMap {
   MapSummary summary;
 };
 
-// A conformal map of a disc with holes, without flips or crossing outlines. The loops of `open` may be in any
-// order. Several methods are tried: for large charts first the outline, then the inside; least squares; the
-// inside again within the outline of least squares; Newton's descent from there or from the disc's map. None
-// where all fail. `patient`: whether to try methods that take minutes for 100,000 vertices.
-std::optional<ChartMap> free_chart(const OpenMesh& open, const std::vector<double>& turning, double residual,
-                                   bool patient, const Run& run);
+// What may be done for the free map of a chart.
+struct ChartEffort {
+  std::int64_t work = 1'000'000'000;  // most steps of a descent times triangles: no descent where that is few
+  double isometry = 0;                // weight of what keeps lengths in a descent (conformal_energy.h)
+};
+
+// Nothing where no map was found; then, too, `work` tells steps of descents times triangles.
+struct FreeChart {
+  std::optional<ChartMap> map;
+  std::int64_t work = 0;
+};
+
+// A conformal map of a disc with holes: no triangle turned over, no outline that crosses itself or another.
+// The loops of `open` may be taken in any order. Ways are tried until one gives such a map: for large charts
+// the outline first; least squares; the inside anew within the outline that least squares gave; Newton's
+// descent from there or from the disc's map.
+FreeChart free_chart(const OpenMesh& open, const std::vector<double>& turning, double residual,
+                     const ChartEffort& effort, const Run& run);
+
+// Descends from a map of that kind.
+FreeChart evened_chart(const OpenMesh& open, const ChartMap& from, const ChartEffort& effort, const Run& run);
 
 // The map to the disc, at the area of the surface. None where it flips triangles.
 std::optional<ChartMap> disc_chart(const OpenMesh& open, double residual, const Run& run);

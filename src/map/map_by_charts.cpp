@@ -45,7 +45,26 @@ std::vector<OpenMesh> discs_of(const OpenMesh& whole, bool in_two) {
   return open_parts(whole, bisect(whole, 0), Cuts(whole.mesh.triangles.size(), {0, 0, 0}));
 }
 
-// Moves the lower left corner to (0, 0).
+Atlas charts_within(const OpenMesh& whole, const ChartOptions& options, const AngleError& most_error,
+                    const Run& run) {
+  Atlas atlas(options, most_error, run);
+  atlas.take(discs_of(whole, options.charts != 1));
+  if (options.charts == 0 && atlas.charts().size() > 1) atlas.join(whole);
+  return atlas;
+}
+
+// Lengths are kept at the cost of angles as far as these are not worse than in the disc's map.
+Atlas charts_of(const OpenMesh& whole, const ChartOptions& options, const Run& run) {
+  constexpr Index large = 200'000;  // vertices
+  AngleError most_error;
+  if (options.charts != 1 && !whole.loops.empty() && whole.vertices() <= large)
+    most_error = error_of_disc(whole, options.residual, run);
+  Atlas atlas = charts_within(whole, options, most_error, run);
+  if (!(most_error.corner > 0) || atlas.failed() || !is_above(atlas.error(), most_error)) return atlas;
+  return charts_within(whole, options, {}, run);
+}
+
+// From (0, 0) on.
 void move_to_origin(std::vector<UV>& uv) {
   UV low = uv.front();
   for (const UV p : uv) low = {std::min(low.u, p.u), std::min(low.v, p.v)};
@@ -98,13 +117,9 @@ ChartedMap map_by_charts(Points points, const std::vector<Triangle>& triangles, 
                          const Run& run) {
   Arena arena(run);
   return arena.execute([&] {
-    Atlas atlas(options, run);
-    for (const OpenMesh& whole : without_handles(points, triangles)) {
-      Atlas own(options, run);
-      own.take(discs_of(whole, options.charts != 1));
-      if (options.charts == 0 && own.charts().size() > 1) own.join(whole);
-      atlas.append(std::move(own));
-    }
+    Atlas atlas(options, {}, run);
+    for (const OpenMesh& whole : without_handles(points, triangles))
+      atlas.append(charts_of(whole, options, run));
     if (options.charts > 1) atlas.cut_to(static_cast<std::size_t>(options.charts));
     ChartedMap map;
     if (atlas.failed()) return map;

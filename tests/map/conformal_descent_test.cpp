@@ -7,7 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "map/conformal_scale.h"
 #include "map/embed.h"
+#include "map/free_chart.h"
 #include "map/free_map.h"
 #include "map/outline_crossings.h"
 #include "rimline/refine_surface.h"
@@ -84,9 +86,26 @@ TEST_CASE("a descent from the disc ends where least squares do, where these do n
   const Triangulation mesh = triangulation_of(disc.triangles, static_cast<Index>(strip.points.size()));
   std::vector<UV> uv = disc.uv;
   CHECK(conformal_distortion(strip.points, mesh, uv) > 1.1);
-  CHECK(relax_conformally(strip.points, mesh, strip.loops, uv, {}) > 0);
+  CHECK(relax_conformally(strip.points, mesh, strip.loops, {}, uv, {}) > 0);
   CHECK(conformal_distortion(strip.points, mesh, uv) < 1.001);
   CHECK(flipped_triangles(disc.triangles, uv, {}).empty());
+}
+
+TEST_CASE(
+    "lengths are kept where they weigh: the disc's map of a strip, which is squeezed at its ends, is "
+    "evened") {
+  const Strip strip = make_winding(0.6);
+  const OpenMesh open = open_surface(strip.points, strip.mesh.triangles);
+  std::vector<UV> uv = disc_chart(open, 1e-10, {})->uv;
+  CHECK(stretch_of_map(open, uv).mean > 2);
+  CHECK(relax_conformally(open.points, open.mesh, open.loops, {.isometry = 1, .most_steps = 100}, uv, {}) >
+        0);
+  CHECK(stretch_of_map(open, uv).worst < 1.2);
+  CHECK(flipped_triangles(open.mesh.triangles, uv, {}).empty());
+  CHECK(crossing_points(open.loops, uv).empty());
+  std::vector<UV> few = disc_chart(open, 1e-10, {})->uv;
+  CHECK(relax_conformally(open.points, open.mesh, open.loops, {.isometry = 1, .most_steps = 2}, few, {}) ==
+        2);
 }
 
 TEST_CASE("a surface without area is left as it is") {
@@ -96,7 +115,7 @@ TEST_CASE("a surface without area is left as it is") {
   loop.points = {0, 1, 2};
   std::vector<UV> uv{{0, 0}, {1, 0}, {0, 1}};
   CHECK(conformal_distortion(points, mesh, uv) == 1);
-  CHECK(relax_conformally(points, mesh, {loop}, uv, {}) == 0);
+  CHECK(relax_conformally(points, mesh, {loop}, {}, uv, {}) == 0);
 }
 
 TEST_CASE("a map with a triangle turned over is left as it is") {
@@ -105,7 +124,7 @@ TEST_CASE("a map with a triangle turned over is left as it is") {
   free_map(strip.points, strip.mesh, strip.loops[0].points, 0, uv, {});
   uv[7] = {uv[7].u + 100, uv[7].v};
   const std::vector<UV> before = uv;
-  CHECK(relax_conformally(strip.points, strip.mesh, strip.loops, uv, {}) == 0);
+  CHECK(relax_conformally(strip.points, strip.mesh, strip.loops, {}, uv, {}) == 0);
   CHECK(uv == before);
 }
 

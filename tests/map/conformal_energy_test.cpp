@@ -35,6 +35,15 @@ TEST_CASE("a triangle that is turned, moved and grown has energy 1, one stretche
   CHECK(triangle.value(mapped(1, 4, 2)) == doctest::Approx((4 + 1.0 / 4) / 2));
 }
 
+TEST_CASE(
+    "an isometry has one and its weight; twice as large both ways, of s^2 and 1 / s^2 the mean on top") {
+  const ConformalTriangle triangle(corners, 0.5);
+  CHECK(triangle.value(mapped(1, 1, 0.7)) == doctest::Approx(1.5));
+  CHECK(triangle.value(mapped(2, 2, 0.7)) == doctest::Approx(1 + 0.5 * (4 + 0.25) / 2));
+  CHECK(triangle.value(mapped(3, 1, 2)) ==
+        doctest::Approx((3 + 1.0 / 3) / 2 + 0.5 * (9 + 1 + 1.0 / 9 + 1) / 4));
+}
+
 TEST_CASE("a triangle that is turned over or flat has infinite energy") {
   const ConformalTriangle triangle(corners);
   CHECK(std::isinf(triangle.value(mapped(1, -1, 0))));
@@ -42,7 +51,10 @@ TEST_CASE("a triangle that is turned over or flat has infinite energy") {
 }
 
 TEST_CASE("the gradient is the slope of the energy, and the Hessian curves up and no less than the energy") {
-  const ConformalTriangle triangle(corners);
+  double isometry = 0;
+  SUBCASE("angles alone") {}
+  SUBCASE("lengths, too") { isometry = 0.03; }
+  const ConformalTriangle triangle(corners, isometry);
   const ConformalTriangle::Corners uv = mapped(2, 0.7, 0.3);
   ConformalTriangle::Gradient gradient, ahead, behind;
   ConformalTriangle::Hessian hessian, unused;

@@ -4,12 +4,18 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <random>
 #include <set>
 
 #include "grids.h"
+#include "map/angle_error.h"
 #include "map/conformal_scale.h"
+#include "map/embed.h"
+#include "map/free_map.h"
 #include "map/outline_first.h"
+#include "mesh/corner_angles.h"
 #include "rimline/measure.h"
 
 namespace rimline {
@@ -70,6 +76,29 @@ shapes::Mesh ball_above(double height) {
   return part;
 }
 
+// A square of n x n cells, its heights at random, up to so many cells.
+shapes::Mesh crumpled(int n, double height) {
+  std::mt19937 random(7);
+  shapes::Mesh mesh;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i)
+      mesh.points.push_back({1.0 * i, 1.0 * j, height * static_cast<double>(random()) / 4294967296.0});
+  }
+  mesh.triangles = shapes::cells(n, n, [=](int i, int j) { return static_cast<Index>(i + (n + 1) * j); });
+  return mesh;
+}
+
+double corner_error(const ChartedMap& map, const shapes::Mesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : map.corners) {
+    const auto space = [&](int c) { return mesh.points[map.vertex[t[c]]]; };
+    const auto flat = [&](int c) { return Point{map.uv[t[c]].u, map.uv[t[c]].v, 0}; };
+    const auto a = corner_angles(space(0), space(1), space(2)), b = corner_angles(flat(0), flat(1), flat(2));
+    for (int c = 0; c < 3; ++c) sum += std::abs(a[c] - b[c]);
+  }
+  return sum / (3 * static_cast<double>(map.corners.size()));
+}
+
 }  // namespace
 
 TEST_CASE("surfaces of any topology get maps without turned triangles, their stretch within bounds") {
@@ -121,6 +150,53 @@ TEST_CASE("a chart that is a disc keeps one place a vertex, in the order of its 
   CHECK(map.seams == 0);
   CHECK(map.corners == disc.triangles);
   CHECK(distortion_of(map, disc).angle_mean < 0.03);
+}
+
+TEST_CASE("angles of a free map are kept no worse than in the disc's, in one chart and in many") {
+  const shapes::Mesh cap = ball_above(-0.6);
+  const shapes::Mesh vase = shapes::revolved(
+      40, 50, [](int j) { return 1 + 0.7 * std::sin(0.2 * j); }, [](int j) { return 0.08 * j; });
+  for (const shapes::Mesh& mesh : {cap, vase, crumpled(24, 0.8), crumpled(24, 2.0)}) {
+    const AngleError disc = error_of_disc(open_surface(mesh.points, mesh.triangles), 1e-10, {});
+    for (const int charts : {0, 1}) {
+      CAPTURE(mesh.points.size());
+      CAPTURE(charts);
+      const ChartedMap map = map_by_charts(mesh.points, mesh.triangles, {.charts = charts}, {});
+      REQUIRE(map.charts > 0);
+      CHECK(corner_error(map, mesh) <= disc.corner + 1e-9);
+      if (charts == 1 && map.kind == Domain::Disc)
+        CHECK(corner_error(map, mesh) == doctest::Approx(disc.corner));
+    }
+  }
+}
+
+TEST_CASE(
+    "what is crumpled, so that least squares turn triangles, is one chart within the bounds all the same") {
+  const shapes::Mesh mesh = crumpled(24, 5);
+  const OpenMesh open = open_surface(mesh.points, mesh.triangles);
+  std::vector<UV> uv;
+  free_map(open.points, open.mesh, open.loops.front().points, 0, uv, {});
+  REQUIRE_FALSE(flipped_triangles(open.mesh.triangles, uv, {}).empty());
+  const ChartedMap map = map_by_charts(mesh.points, mesh.triangles, {}, {});
+  check_map(map, mesh);
+  CHECK(map.charts == 1);
+  const DistortionSummary distortion = distortion_of(map, mesh);
+  CHECK(distortion.stretch_l2 <= 2);
+  CHECK(distortion.stretch_linf <= 100);
+}
+
+TEST_CASE("a needle is cut open to its tip and unrolled") {
+  constexpr int about = 12, rings = 60;
+  shapes::Mesh needle = shapes::revolved(
+      about, rings, [](int j) { return 1 - j / double{rings}; }, [](int j) { return 0.5 * j; });
+  const auto tip = static_cast<Index>(needle.points.size());
+  needle.points.push_back({0, 0, 0.5 * rings});
+  for (Index i = 0; i < about; ++i)
+    needle.triangles.push_back({about * (rings - 1) + i, about * (rings - 1) + (i + 1) % about, tip});
+  const ChartedMap map = map_by_charts(needle.points, needle.triangles, {}, {});
+  check_map(map, needle);
+  CHECK(map.charts == 1);
+  CHECK(distortion_of(map, needle).angle_mean < 0.03);
 }
 
 TEST_CASE("maps are the same for any number of threads") {
