@@ -6,6 +6,7 @@
 
 #include "rimline/neighbours.h"
 #include "rimline/points.h"
+#include "rimline/run.h"
 
 namespace rimline {
 
@@ -14,6 +15,6 @@ namespace rimline {
 // 2.5 times as far from the nearest as the largest scale of the six next to it. `scale`: usual_spacing();
 // `left_out`: points (1) that connect nothing.
 std::vector<char> lies_apart(Points points, const Neighbours& neighbours, const std::vector<double>& scale,
-                             const std::vector<char>& left_out);
+                             const std::vector<char>& left_out, const Run& run);
 
 }  // namespace rimline

@@ -40,6 +40,27 @@ struct Left {
     }
   }
 
+  // Whether two within reach are farther apart than any two in a cone of that cosine.
+  bool sees_apart(Index i, double reach, double least_cosine) const {
+    const double least = 2 * least_cosine * least_cosine - 1 - 1e-9;  // of the doubled angle [guard]
+    const double farthest = (1 - 1e-9) * reach * reach;               // [guard]
+    Point first;
+    double length = 0;  // of it, squared
+    for (const Index j : neighbours.of(i)) {
+      if (gone[j]) continue;
+      const Point d = points[j] - points[i];
+      const double squared = dot(d, d);
+      if (squared > farthest) return false;
+      if (length == 0) {
+        first = d;
+        length = squared;
+      }
+      const double along = dot(first, d);
+      if (along < 0 || along * along < least * least * squared * length) return true;
+    }
+    return false;
+  }
+
   // Whether all within reach lie in one cone.
   bool sees_cone(Index i, double reach, double least_cosine) const {
     Point axis;
@@ -54,8 +75,8 @@ struct Left {
     const Index first = nearest(i);
     if (first == none) return false;
     const double apart = distance(points[i], points[first]);
-    return sees_cone(i, std::max(model::chain_reach * scale[i], model::chain_reach_nearest * apart),
-                     model::chain_cone);
+    const double reach = std::max(model::chain_reach * scale[i], model::chain_reach_nearest * apart);
+    return !sees_apart(i, reach, model::chain_cone) && sees_cone(i, reach, model::chain_cone);
   }
 };
 

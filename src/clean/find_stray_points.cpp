@@ -10,7 +10,7 @@
 #include "clean/chains.h"
 #include "clean/off_surface.h"
 #include "clean/own_scale.h"
-#include "clean/surface_fit.h"
+#include "clean/usual_spacing.h"
 #include "points/kd_tree.h"
 #include "rimline/clean.h"
 
@@ -86,7 +86,7 @@ StrayPoints find_stray_points(Points points, const Neighbours& neighbours, const
   const std::vector<char> off = confirmed(lies_off_surface(points, neighbours, scale, run), points,
                                           neighbours, spacing, scale, tree, run);
   const std::vector<char> on_line = lies_on_chain(points, neighbours, scale, off, run);
-  const std::vector<char> apart = confirmed(lies_apart(points, neighbours, scale, either(off, on_line)),
+  const std::vector<char> apart = confirmed(lies_apart(points, neighbours, scale, either(off, on_line), run),
                                             points, neighbours, spacing, scale, tree, run);
   StrayPoints stray{ids_of(off), ids_of(on_line), ids_of(apart)};
   const auto most = static_cast<std::size_t>(model::stray_most_share * static_cast<double>(points.size()));

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
+#include "base/model.h"
 #include "base/model_clean.h"
 #include "base/parallel.h"
 #include "base/quantile.h"
 #include "clean/surface_fit.h"
+#include "local/neighbourhood.h"
 #include "local/point_sample.h"
 
 namespace rimline {
@@ -31,6 +33,16 @@ bool is_whole(const SurfaceFit& fit) {
   return fit.nearest < model::stray_redundant && fit.gap < model::stray_gap;
 }
 
+// Whether the point is off a surface that its neighbours tell.
+bool lies_off(Points points, const Neighbours& neighbours, double scale, double usual, Index i) {
+  const SurfaceFit fit = fit_without(points, neighbours, i, scale);
+  const double deviation = std::max(usual, fit.deviation);
+  const double allowed = is_whole(fit)
+                             ? std::max(model::stray_least_whole, model::stray_deviations_whole * deviation)
+                             : std::max(model::stray_least, model::stray_deviations * deviation);
+  return fit.height > allowed && fit.others <= model::stray_most_others;
+}
+
 }  // namespace
 
 std::vector<char> lies_off_surface(Points points, const Neighbours& neighbours,
@@ -38,14 +50,19 @@ std::vector<char> lies_off_surface(Points points, const Neighbours& neighbours,
   const double usual = usual_deviation(points, neighbours, scale, run);
   const double least = std::max(model::stray_least_whole, model::stray_deviations_whole * usual);
   std::vector<char> off(points.size());
-  parallel_for_each(points.size(), Stage::Neighbours, run, [&](Index i) {
-    if (height_over_plane(points, neighbours, i, scale[i]) < model::stray_quick * least) return;
-    const SurfaceFit fit = fit_without(points, neighbours, i, scale[i]);
-    const double deviation = std::max(usual, fit.deviation);
-    const double allowed = is_whole(fit)
-                               ? std::max(model::stray_least_whole, model::stray_deviations_whole * deviation)
-                               : std::max(model::stray_least, model::stray_deviations * deviation);
-    off[i] = fit.height > allowed && fit.others <= model::stray_most_others;
+  parallel_slices(points.size(), Stage::Neighbours, run, [&](std::size_t begin, std::size_t end) {
+    Neighbourhoods neighbourhoods(std::min(model::more_neighbours, neighbours.k));
+    PrincipalAxesLanes axes;
+    Lanes height;
+    for (auto first = static_cast<Index>(begin); first < static_cast<Index>(end); first += lanes) {
+      neighbourhoods.gather(points, neighbours, first, static_cast<Index>(end));
+      neighbourhoods.find_axes(axes);
+      neighbourhoods.find_heights(axes, height);
+      for (Index i = first; i < std::min(first + lanes, static_cast<Index>(end)); ++i) {
+        if (height[i - first] >= model::stray_quick * least * scale[i])
+          off[i] = lies_off(points, neighbours, scale[i], usual, i);
+      }
+    }
   });
   return off;
 }

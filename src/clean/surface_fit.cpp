@@ -10,7 +10,6 @@
 
 #include "base/model.h"
 #include "base/model_clean.h"
-#include "base/parallel.h"
 #include "local/principal_axes.h"
 
 namespace rimline {
@@ -161,28 +160,6 @@ Residuals fit_robust_quadric(const Heights& h, double base) {
 }
 
 }  // namespace
-
-std::vector<double> usual_spacing(const Neighbours& neighbours, const std::vector<double>& spacing,
-                                  const Run& run) {
-  const int count = std::min(model::few_neighbours, neighbours.k);
-  std::vector<double> usual(spacing.size());
-  parallel_for_each(spacing.size(), Stage::Neighbours, run, [&](Index i) {
-    Numbers around{};
-    const auto ids = neighbours.of(i, count);
-    for (std::size_t j = 0; j < ids.size(); ++j) around[j] = spacing[ids[j]];
-    usual[i] = median({around.data(), ids.size()});
-  });
-  return usual;
-}
-
-double height_over_plane(Points points, const Neighbours& neighbours, Index self, double scale) {
-  std::array<Point, most> offsets;
-  Numbers weights;
-  weights.fill(1);
-  const std::size_t n = gather(points, neighbours, self, scale, model::more_neighbours, offsets);
-  const Plane plane = fit_plane({offsets.data(), n}, {weights.data(), n});
-  return std::abs(dot(plane.centre, plane.normal));
-}
 
 SurfaceFit fit_without(Points points, const Neighbours& neighbours, Index self, double scale) {
   std::array<Point, most> offsets;

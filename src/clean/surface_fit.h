@@ -19,14 +19,6 @@ struct SurfaceFit {
   int others = 0;  // number of near neighbours that lie off it, too
 };
 
-// The scale of each point: the median spacing of the points around it. An outlier gets the scale of the
-// surface beside it, whatever its own distance is.
-std::vector<double> usual_spacing(const Neighbours& neighbours, const std::vector<double>& spacing,
-                                  const Run& run);
-
-// Distance of the point from the plane through its nearest neighbours, over the scale: fast, but not robust.
-double height_over_plane(Points points, const Neighbours& neighbours, Index self, double scale);
-
 // Fits a quadric over a plane to the neighbours, both by iteratively reweighted least squares with Tukey's
 // biweight (Beaton & Tukey 1974), so that other outliers and other sheets among the neighbours do not count.
 SurfaceFit fit_without(Points points, const Neighbours& neighbours, Index self, double scale);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/multiversioning.h"
+#include "base/vec.h"
 
 namespace rimline {
 namespace {
@@ -81,6 +82,22 @@ RIMLINE_WIDE void project(const Lanes* x, const Lanes* y, const Lanes* z, std::s
   }
 }
 
+// Of the centroid of k points over the point, along the first axis.
+RIMLINE_WIDE void mean_height(const Lanes* x, const Lanes* y, const Lanes* z, std::size_t count, double k,
+                              const PrincipalAxesLanes& axes, Lanes& height) {
+  for (int l = 0; l < lanes; ++l) {
+    const Point normal{axes.x[0][l], axes.y[0][l], axes.z[0][l]};
+    Point sum[2];
+    std::size_t j = 0;
+    do {
+      for (int odd = 0; odd < 2; ++odd)
+        sum[odd] = sum[odd] + Point{x[j + odd][l], y[j + odd][l], z[j + odd][l]};
+      j += 2;
+    } while (j < count);
+    height[l] = std::abs(dot(sum[0] + sum[1], normal)) / k;
+  }
+}
+
 }  // namespace
 
 double delta(const PrincipalAxes& axes) {
@@ -112,6 +129,10 @@ void Neighbourhoods::find_axes(PrincipalAxesLanes& axes) const {
   for (Lanes& lambda : axes.lambda) {
     for (double& number : lambda.number) number = std::max(0.0, number);
   }
+}
+
+void Neighbourhoods::find_heights(const PrincipalAxesLanes& axes, Lanes& height) const {
+  mean_height(x_.data(), y_.data(), z_.data(), x_.size(), k_, axes, height);
 }
 
 void Neighbourhoods::flatten(const PrincipalAxesLanes& axes) {

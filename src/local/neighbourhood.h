@@ -34,6 +34,9 @@ class Neighbourhoods {
   // the first belongs to the normal of the least squares plane T.
   void find_axes(PrincipalAxesLanes& axes) const;
 
+  // How far the points are from the least squares plane of their neighbours, at least 0.
+  void find_heights(const PrincipalAxesLanes& axes, Lanes& height) const;
+
   // The image of the neighbours under h = sigma after pi, about the image of the point: pi projects on T and
   // sigma gives v3 and v2 equal variability. First coordinate along v3, second along v2. Each direction
   // points to where the third moment of the offsets is positive, so that turning or mirroring the input

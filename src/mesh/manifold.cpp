@@ -9,6 +9,8 @@
 namespace rimline {
 namespace {
 
+using Corner = Corners::Corner;
+
 enum class Fault { None, Twice, Crowded, Turned, Split, OffLoops };
 
 const char* words(Fault fault) {
@@ -47,11 +49,46 @@ struct LoopEdges {
 };
 
 // Whether two triangles at a vertex run along one of its edges in the same direction.
-bool runs_alike(std::span<const Corners::Corner> corners, std::vector<Index>& next) {
+bool runs_alike(std::span<const Corner> corners, std::vector<Index>& next) {
   next.clear();
-  for (const Corners::Corner& c : corners) next.push_back(c.next);
+  for (const Corner& c : corners) next.push_back(c.next);
   std::ranges::sort(next);
   return std::ranges::adjacent_find(next) != next.end();
+}
+
+// Goes from corner to corner, entering each at one of its edges and leaving it at the other, until no corner
+// goes on or the edge `stop` is reached. `at`: the edge where it starts, then where it ends. Returns the
+// steps. Requires that no two corners are entered at the same edge.
+std::size_t walk(std::span<const Corner> corners, Index Corner::*enter, Index Corner::*leave, Index& at,
+                 Index stop) {
+  std::size_t steps = 0;
+  while (at != stop) {
+    const auto on = std::ranges::find(corners, at, enter);
+    if (on == corners.end()) break;
+    at = (*on).*leave;
+    ++steps;
+  }
+  return steps;
+}
+
+// Whether the corners of a vertex are one fan of triangles that face alike, closed or from one edge of its
+// loop to the other: what nearly every vertex is. A no does not say what is wrong, or whether anything is.
+bool is_plain_fan(Index v, std::span<const Corner> corners, const LoopEdges& loops) {
+  constexpr std::size_t most = 16;  // [speed]
+  const std::size_t n = corners.size();
+  if (n > most) return false;
+  // No edge is left or met twice: the corners form chains and rings.
+  bool twice = false;
+  for (std::size_t i = 1; i < n; ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      twice |= corners[i].next == corners[j].next || corners[i].previous == corners[j].previous;
+  }
+  if (twice) return false;
+  Index begin = corners[0].next, end = corners[0].previous;
+  std::size_t passed = 1 + walk(corners, &Corner::next, &Corner::previous, end, begin);
+  if (end == begin) return passed == n && n > 2 && loops.beside[v][0] == none;
+  passed += walk(corners, &Corner::previous, &Corner::next, begin, end);
+  return passed == n && loops.has(v, begin) && loops.has(v, end);
 }
 
 // Work space of one thread.
@@ -60,7 +97,7 @@ struct Look {
   std::vector<Index> next;
 };
 
-Fault fault_at(Index v, std::span<const Corners::Corner> corners, const LoopEdges& loops, bool orientable,
+Fault fault_at(Index v, std::span<const Corner> corners, const LoopEdges& loops, bool orientable,
                Look& look) {
   bool crowded = false, off_loops = false;
   std::size_t open = 0;
@@ -94,6 +131,7 @@ std::string fault_of(std::span<const Triangle> triangles, std::size_t vertices,
     for (std::size_t v = k * slice; v < std::min(vertices, (k + 1) * slice); ++v) {
       const auto own = corners.of(static_cast<Index>(v));
       if (own.empty() || (found[k] != Fault::None && found[k] != Fault::OffLoops)) continue;
+      if (is_plain_fan(static_cast<Index>(v), own, edges)) continue;
       const Fault fault = fault_at(static_cast<Index>(v), own, edges, orientable, look);
       if (fault != Fault::None) found[k] = fault;
     }
