@@ -77,17 +77,17 @@ def largest_piece(points, triangles):
     return points[used], index.reshape(-1, 3)
 
 
-def mesh_of(tool, path, name, folder, most_points):
+def mesh_of(options, path, name, folder):
     """Nothing where there is no mesh to compare, with the reason."""
     if path is None:
         path = os.path.join(folder, "sample.ply")
-        subprocess.run([tool, "sample", name.split("/")[1], "-n", "10000", "-o", path, "--quiet"], check=True)
+        subprocess.run([options.tool, "sample", name.split("/")[1], "-n", str(options.sample_points), "-o", path, "--quiet"], check=True)
     mesh = os.path.join(folder, "mesh.ply")
-    told = subprocess.run([tool, "reconstruct", path, "-o", mesh, "--domain", "none", "--quiet"], capture_output=True, text=True)
+    told = subprocess.run([options.tool, "reconstruct", path, "-o", mesh, "--domain", "none", "--quiet"], capture_output=True, text=True)
     if told.returncode:
         return None, told.stderr.strip()
     points, triangles = largest_piece(*map_files.read_mesh(mesh))
-    if len(points) > most_points:
+    if len(points) > options.most_points:
         return None, f"{len(points)} points"
     if not map_measures.is_disc_with_holes(triangles):
         return None, "no disc with holes"
@@ -124,7 +124,7 @@ def measured(options, folder):
     methods = methods_of(options.peers)
     before = kept(options.keep)
     for name, path in sets_of(options.only):
-        mesh, why = mesh_of(options.tool, path, name, folder, options.most_points)
+        mesh, why = mesh_of(options, path, name, folder)
         if mesh is None:
             print(f"left out: {name}: {why}", file=sys.stderr)
             continue
@@ -196,21 +196,25 @@ def main():
     parser.add_argument("--peers", required=True, help="the folder of rimline_maps and rimline_peer_cgal_maps")
     parser.add_argument("--only", nargs="*", default=[], help="parts of names of sets")
     parser.add_argument("--most-points", type=int, default=60000)
+    parser.add_argument("--sample-points", type=int, default=3000)
     parser.add_argument("--limit", type=float, default=120, help="seconds of CPU that a method may take on one mesh")
     parser.add_argument("--keep", help="JSON of an earlier run: others' maps of the same mesh are not made again")
     parser.add_argument("--commit", default="unknown")
     parser.add_argument("--markdown")
     parser.add_argument("--json")
     options = parser.parse_args()
+    rows = []
     with tempfile.TemporaryDirectory() as folder:
-        rows = list(measured(options, folder))
+        for row in measured(options, folder):
+            rows.append(row)
+            if options.json:
+                with open(options.json, "w") as file:
+                    json.dump(rows, file, indent=1)
     if not rows:
         sys.exit("no mesh to map")
-    command = " ".join(["bench/quality/maps"] + (["--only", *options.only] if options.only else []) + ["--most-points", str(options.most_points)])
+    command = " ".join(["bench/quality/maps", "--most-points", str(options.most_points), "--limit", f"{options.limit:g}"] +
+                       (["--only", *options.only] if options.only else []))
     text = page(rows, options.commit, command)
-    if options.json:
-        with open(options.json, "w") as file:
-            json.dump(rows, file, indent=1)
     if options.markdown:
         with open(options.markdown, "w") as file:
             file.write(text)

@@ -100,10 +100,21 @@ bool Atlas::holds(const Chart& chart) const {
   return stretch.mean <= options_.mean_stretch && stretch.worst <= options_.worst_stretch;
 }
 
-bool Atlas::is_worse_than_disc(const Chart& chart) const {
-  const AngleError error = angle_error(chart.open, chart.map->uv);
-  return chart.open.vertices() <= large && is_above(error, least_error_of_disc(chart.open)) &&
-         is_above(error, error_of_disc(chart.open, options_.residual, run_));
+// The free map, unless the disc's keeps angles better: then what a descent from that one gives, if it does as
+// well, or the disc's itself.
+std::optional<ChartMap> Atlas::in_one(const OpenMesh& open) const {
+  std::optional<ChartMap> map = free_chart(open, {}, options_.residual, {}, run_).map;
+  AngleError error;
+  if (map) {
+    error = angle_error(open, map->uv);
+    if (open.vertices() > large || !is_above(error, least_error_of_disc(open))) return map;
+  }
+  std::optional<ChartMap> disc = disc_chart(open, options_.residual, run_);
+  if (!disc) return map;
+  const AngleError most = angle_error(open, disc->uv);
+  if (map && !is_above(error, most)) return map;
+  if (map) map = evened_chart(open, *disc, {}, run_).map;
+  return map && !is_above(angle_error(open, map->uv), most) ? std::move(map) : std::move(disc);
 }
 
 AngleError Atlas::error() const {
@@ -188,9 +199,7 @@ bool Atlas::cut(const OpenMesh& open, Index vertex) {
 void Atlas::treat(OpenMesh open) {
   if (!is_free_) {
     Chart chart{std::move(open), {}, 0};
-    chart.map = free_chart(chart.open, {}, options_.residual, {}, run_).map;
-    if (chart.map && is_worse_than_disc(chart)) chart.map.reset();
-    if (!chart.map) chart.map = disc_chart(chart.open, options_.residual, run_);
+    chart.map = in_one(chart.open);
     failed_ = failed_ || !chart.map;
     done_.push_back(std::move(chart));
     return;

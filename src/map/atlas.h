@@ -53,7 +53,7 @@ class Atlas {
   Outlook look(const OpenMesh& open);
   bool promises(const Stretch& stretch) const;
   bool is_near(const Stretch& stretch) const;
-  bool is_worse_than_disc(const Chart& chart) const;
+  std::optional<ChartMap> in_one(const OpenMesh& open) const;
   bool holds(const Chart& chart) const;
   std::optional<Chart> mapped(OpenMesh open, const Outlook& outlook);
   std::optional<Chart> with_slits(const OpenMesh& open, Outlook outlook);

@@ -50,25 +50,27 @@ std::vector<std::size_t> order_of(const std::vector<UVBox>& boxes) {
 
 }  // namespace
 
-void pack_patches(std::span<const Index> patch, std::size_t patch_count, std::vector<UV>& uv) {
-  constexpr double between = 1.1;  // of a width or height
+void pack_patches(std::span<const Index> patch, std::size_t patch_count, std::vector<UV>& uv, double least) {
+  constexpr double between = 0.1;  // of a width or height
   constexpr double wide = 1.6;  // rows are this much wider than a square of all boxes: two discs fit one row
   const std::vector<UVBox> boxes = boxes_of(patch, patch_count, uv);
   const std::vector<std::size_t> order = order_of(boxes);
   if (order.size() < 2) return;
   double area = 0;
   for (const std::size_t i : order) area += boxes[i].width() * boxes[i].height();
+  const double side = std::sqrt(area);
+  const auto with_gap = [&](double extent) { return extent + std::max(between * extent, least * side); };
   const UV corner = boxes[order.front()].low;
   UV at = corner;
   double row_height = 0;
   std::vector<UV> shift(patch_count);
   for (const std::size_t i : order) {
-    if (at.u > corner.u && at.u - corner.u + boxes[i].width() > wide * std::sqrt(area)) {
-      at = {corner.u, at.v + between * row_height};
+    if (at.u > corner.u && at.u - corner.u + boxes[i].width() > wide * side) {
+      at = {corner.u, at.v + with_gap(row_height)};
       row_height = 0;
     }
     if (i != order.front()) shift[i] = {at.u - boxes[i].low.u, at.v - boxes[i].low.v};
-    at.u += between * boxes[i].width();
+    at.u += with_gap(boxes[i].width());
     row_height = std::max(row_height, boxes[i].height());
   }
   for (std::size_t v = 0; v < uv.size(); ++v) {

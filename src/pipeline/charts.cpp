@@ -139,11 +139,12 @@ bool is_turned(const Part& part, const std::vector<Triangle>& corners, const std
 // Removes the maps of parts with triangles without area.
 Layout lay_out_sound(MappedMesh& mesh, std::vector<Part>& parts, UvScale scale,
                      std::vector<Triangle>& corners) {
+  constexpr double gap = 1.0 / 64;  // between small charts: 4 pixels and more of a texture of 512
   for (;;) {
     Layout layout = lay_out(mesh, parts, corners);
     std::size_t charts = 0, dropped = 0;
     for (const Part& part : parts) charts += part.map.charts;
-    pack_patches(layout.chart, charts, layout.uv);
+    pack_patches(layout.chart, charts, layout.uv, gap);
     if (scale == UvScale::Unit) fit_unit_square(layout.uv);
     for (Part& part : parts) {
       if (!is_turned(part, corners, layout.uv)) continue;

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/random.h"
 
@@ -41,6 +42,29 @@ TEST_CASE(
     low = std::min(low, uv[4 * i].v), high = std::max(high, uv[4 * i + 2].v);
   }
   CHECK((right - left) / (high - low) < 4);
+}
+
+TEST_CASE("small boxes are as far apart as is asked for") {
+  constexpr std::size_t count = 40;
+  constexpr double least = 0.05;
+  std::vector<Index> patch;
+  std::vector<UV> uv;
+  for (Index p = 0; p < static_cast<Index>(count); ++p) {
+    const double size = p == 0 ? 1 : 0.01;
+    for (const UV corner : {UV{0, 0}, {size, 0}, {size, size}, {0, size}}) {
+      uv.push_back(corner);
+      patch.push_back(p);
+    }
+  }
+  const double side = std::sqrt(1 + (count - 1) * 0.01 * 0.01);
+  pack_patches(patch, count, uv, least);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const UV a = uv[4 * i], b = uv[4 * i + 2], c = uv[4 * j], d = uv[4 * j + 2];
+      const double gap = std::max({c.u - b.u, a.u - d.u, c.v - b.v, a.v - d.v});
+      CHECK(gap > 0.999 * least * side);
+    }
+  }
 }
 
 }  // namespace rimline
