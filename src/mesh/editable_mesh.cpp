@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
+#include <unordered_set>
 #include <utility>
 
 #include "mesh/components.h"
@@ -12,6 +12,13 @@ namespace rimline {
 namespace {
 
 bool names(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
+
+// The other end of the fan at a vertex that begins with the open edge to `from`.
+Index beyond(const EditableMesh& mesh, Index vertex, Index from) {
+  for (Index t = mesh.across(none, vertex, from); t != none; t = mesh.across(t, vertex, from))
+    from = mesh.apex(t, vertex, from);
+  return from;
+}
 
 }  // namespace
 
@@ -151,7 +158,7 @@ std::vector<std::vector<Index>> walk_rims(const EditableMesh& mesh) {
 }
 
 std::vector<std::vector<Index>> walk_rims(const EditableMesh& mesh, std::span<const Index> vertices) {
-  std::set<Index> done;
+  std::unordered_set<Index> done;
   std::vector<std::vector<Index>> rims;
   for (const Index v : vertices) {
     if (done.contains(v) || mesh.star(v).empty() || !mesh.is_at_rim(v)) continue;
@@ -160,9 +167,7 @@ std::vector<std::vector<Index>> walk_rims(const EditableMesh& mesh, std::span<co
     Index at = v, to = mesh.runs(fan.triangles.front(), v, fan.first) ? fan.first : fan.last;
     while (done.insert(at).second) {
       rim.push_back(at);
-      const Fan there = mesh.fans(to).front();
-      const Index beyond = there.first == at ? there.last : there.first;
-      at = std::exchange(to, beyond);
+      at = std::exchange(to, beyond(mesh, to, at));
     }
   }
   return rims;
