@@ -35,7 +35,7 @@ Options options_from(Bytes& bytes) {
   options.map.domain = domains[(choice >> 2) & 3];
   options.mesh.holes.fill = choice & 16;
   options.mesh.fill_points = choice & 32;
-  options.mesh.allow_partial = choice & 64;
+  options.mesh.strict = choice & 64;
   return options;
 }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The seeds of the fuzz targets, and inputs that once failed: read in every build, whatever the compiler.
 #include <algorithm>
+#include <cstdint>
 
 #include "io/files.h"
 #include "io/formats.h"
+
+// Of fuzz/reconstruct.cpp, which is built here, too, so that it stays in step with the library.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace rimline {
 namespace {
@@ -54,6 +58,19 @@ TEST_CASE("the seeds of the target any are told by their content alone") {
   for (const auto& seed : seeds_of("any")) {
     CAPTURE(seed.string());
     CHECK_NOTHROW(read_bytes("input", content_of(seed.string())));
+  }
+}
+
+TEST_CASE("reconstruct takes the seeds of its fuzz target, whole and cut") {
+  const auto seeds = seeds_of("reconstruct");
+  REQUIRE(!seeds.empty());
+  for (const auto& seed : seeds) {
+    CAPTURE(seed.string());
+    const std::string bytes = content_of(seed.string());
+    for (std::size_t size = bytes.size();; size /= 2) {
+      CHECK(LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), size) == 0);
+      if (size == 0) break;
+    }
   }
 }
 
