@@ -134,19 +134,36 @@ AngleError Atlas::error() const {
           area > 0 ? sum.area / area : 0};
 }
 
+// Whether lengths were kept at too high a cost of angles: a cut is better then.
+bool Atlas::is_bent(const Chart& chart) const {
+  constexpr double much = 0.025;  // radians above what no map is below
+  const AngleError error = angle_error(chart.open, chart.map->uv);
+  return is_above(error, most_error_) || error.corner > least_error_of_disc(chart.open).corner + much;
+}
+
 std::optional<Chart> Atlas::mapped(OpenMesh open, const Outlook& outlook) {
-  constexpr double isometry = 0.03, more = 0.3;
+  constexpr double isometry = 0.03, more = 0.1;
+  constexpr std::int64_t few = 3, most = 30;  // steps between two looks at the stretch, and looks
   Chart chart{std::move(open), {}, outlook.worst};
-  const auto effort = [&](double weight) { return ChartEffort{2 * work_left_ / 3, weight}; };
   const auto take_over = [&](FreeChart made) {
     work_left_ -= made.work;
     chart.map = std::move(made.map);
   };
-  take_over(free_chart(chart.open, outlook.turning, options_.residual, effort(isometry), run_));
-  if (chart.map && !holds(chart)) {
-    take_over(evened_chart(chart.open, *chart.map, effort(more), run_));
-    if (chart.map && is_above(angle_error(chart.open, chart.map->uv), most_error_)) return {};
+  take_over(free_chart(chart.open, outlook.turning, options_.residual, {2 * work_left_ / 3, isometry}, run_));
+  if (chart.map && !holds(chart) && promises(outlook.stretch)) {
+    Chart other{chart.open, outline_first_chart(chart.open, outlook.turning, options_.residual, run_), 0};
+    if (other.map && holds(other) && !is_bent(other)) chart.map = std::move(other.map);
   }
+  const std::int64_t round = few * chart.open.mesh.size();
+  const std::int64_t least_left = std::max(work_left_ / 2, work_left_ - most * round);
+  bool evened = false;
+  while (chart.map && !holds(chart) && work_left_ - round > least_left) {
+    const std::int64_t before = work_left_;
+    take_over(evened_chart(chart.open, *chart.map, {round, more}, run_));
+    if (work_left_ == before) break;
+    evened = true;
+  }
+  if (evened && chart.map && is_bent(chart)) return {};
   if (!chart.map || !holds(chart)) return {};
   chart.worst = most_stretched(chart.open, chart.map->uv);
   return chart;

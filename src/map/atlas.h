@@ -55,6 +55,7 @@ class Atlas {
   bool is_near(const Stretch& stretch) const;
   std::optional<ChartMap> in_one(const OpenMesh& open) const;
   bool holds(const Chart& chart) const;
+  bool is_bent(const Chart& chart) const;
   std::optional<Chart> mapped(OpenMesh open, const Outlook& outlook);
   std::optional<Chart> with_slits(const OpenMesh& open, Outlook outlook);
   std::optional<OpenMesh> without_cones(const OpenMesh& open);

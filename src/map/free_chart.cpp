@@ -114,14 +114,21 @@ auto where_solved(const Map& map) -> decltype(map()) {
   }
 }
 
+std::optional<ChartMap> outline_first(const OpenMesh& open, const std::vector<double>& turning,
+                                      double residual, const Run& run) {
+  std::vector<UV> uv;
+  const MapSummary summary = map_outline_first(open, turning, residual, uv, run);
+  if (!is_good(open, uv)) return {};
+  return laid_out(open, std::move(uv), summary);
+}
+
 FreeChart first_good(const OpenMesh& open, const std::vector<double>& turning, double residual,
                      const ChartEffort& effort, const Run& run) {
   constexpr Index large = 30'000, too_large = 200'000;  // vertices: for least squares at first, and at all
   constexpr double little = 1e-3;                       // then no inner edge without a weight
   std::vector<UV> uv;
   if (open.vertices() > large && !turning.empty()) {
-    const MapSummary summary = map_outline_first(open, turning, residual, uv, run);
-    if (is_good(open, uv)) return {laid_out(open, std::move(uv), summary)};
+    if (auto map = outline_first(open, turning, residual, run)) return {std::move(map)};
     if (!descends(open, effort) || open.vertices() > too_large) return {};
   }
   for (const double least : {0.0, little}) {
@@ -148,6 +155,11 @@ std::optional<ChartMap> disc_chart(const OpenMesh& open, double residual, const 
 FreeChart free_chart(const OpenMesh& open, const std::vector<double>& turning, double residual,
                      const ChartEffort& effort, const Run& run) {
   return where_solved([&] { return first_good(open, turning, residual, effort, run); });
+}
+
+std::optional<ChartMap> outline_first_chart(const OpenMesh& open, const std::vector<double>& turning,
+                                            double residual, const Run& run) {
+  return where_solved([&] { return outline_first(open, turning, residual, run); });
 }
 
 FreeChart evened_chart(const OpenMesh& open, const ChartMap& from, const ChartEffort& effort,

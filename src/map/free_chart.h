@@ -37,6 +37,10 @@ struct FreeChart {
 FreeChart free_chart(const OpenMesh& open, const std::vector<double>& turning, double residual,
                      const ChartEffort& effort, const Run& run);
 
+// The outline first, by how it turns at each of its points; none where that is no map of that kind.
+std::optional<ChartMap> outline_first_chart(const OpenMesh& open, const std::vector<double>& turning,
+                                            double residual, const Run& run);
+
 // Descends from a map of that kind.
 FreeChart evened_chart(const OpenMesh& open, const ChartMap& from, const ChartEffort& effort, const Run& run);
 

@@ -117,9 +117,11 @@ def check_gltf(tool):
     script = ("const v = require('gltf-validator'), fs = require('fs');"
               "v.validateBytes(new Uint8Array(fs.readFileSync(process.argv[1]))).then(r => {"
               "console.log(JSON.stringify(r.issues)); process.exit(r.issues.numErrors + r.issues.numWarnings)})")
-    ball, textured = tool.folder / "ball.ply", tool.folder / "ball.glb"
+    ball, coloured, textured = (tool.folder / name for name in ("ball.ply", "ball.csv", "ball.glb"))
     tool("sample", "closed-sphere", "-n", 900, "-o", ball)
-    tool("reconstruct", ball, "-o", textured, "--domain", "free", "--texture-size", 128, "--texture-property", "z")
+    points = places(read_ply(ball))
+    np.savetxt(coloured, np.hstack([points, np.round(127 * (points + 1))]), delimiter=",", header="x,y,z,red,green,blue", comments="")
+    tool("reconstruct", coloured, "-o", textured, "--domain", "free", "--texture-size", 128)
     for glb in (tool.folder / "mesh.glb", textured):
         done = subprocess.run(["node", "-e", script, str(glb)], capture_output=True, text=True,
                               env={**os.environ, "NODE_PATH": modules})
