@@ -124,6 +124,7 @@ std::optional<Change> replace(EditableMesh& mesh, Rims& rims, const std::vector<
   const std::vector<Index> vertices = vertices_of(triangles);
   if (has_single_fans(mesh, vertices)) {
     std::vector<Rim> after = walk_rims(mesh, vertices);
+    for (const Rim& rim : after) rims.steps += rim.size();
     const auto old = put_old_first(after, vertices, rims);
     if (old && close_rims(mesh, std::span(after).subspan(*old), most, change) &&
         has_single_fans(mesh, vertices)) {

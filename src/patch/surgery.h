@@ -21,6 +21,7 @@ using Rim = std::vector<Index>;
 struct Rims {
   std::vector<Index> of;  // none inside
   Index count = 0;        // numbers given so far
+  std::size_t steps = 0;  // vertices of rims that cuts walked along so far
 
   explicit Rims(std::size_t vertices) : of(vertices, none) {}
   void put(const Rim& rim);

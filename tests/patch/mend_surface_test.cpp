@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "grids.h"
 #include "mesh/enclosure.h"
@@ -181,6 +182,26 @@ TEST_CASE("closed surfaces and limbs have an outside, sheets have none") {
   const Mesh flat = sheet(10);
   const auto parts = mend(flat);
   CHECK(faced_side(flat.points, parts[0].triangles, parts[0].loops) == Side::Unknown);
+}
+
+TEST_CASE("triangles between random neighbours of a cloud that is no surface become manifolds") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> side(0, 1);
+  Mesh mesh;
+  for (int i = 0; i < 500; ++i) mesh.points.push_back({side(random), side(random), side(random)});
+  const Neighbours neighbours = find_neighbours(mesh.points, 8, {});
+  for (Index i = 0; i < 500; ++i) {
+    for (int k = 0; k < 6; ++k) {
+      const auto near = neighbours.of(i);
+      mesh.triangles.push_back({i, near[random() % 8], near[random() % 8]});
+    }
+  }
+  std::size_t triangles = 0;
+  for (const MendedPart& part : mend(mesh)) {
+    check_part(part, mesh.points.size());
+    triangles += part.triangles.size();
+  }
+  CHECK(triangles > 100);
 }
 
 }  // namespace rimline
