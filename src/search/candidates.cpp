@@ -8,6 +8,7 @@
 #include "base/model.h"
 #include "base/parallel.h"
 #include "base/vec.h"
+#include "search/triangle_measures.h"
 
 namespace rimline {
 namespace {
@@ -34,6 +35,26 @@ class Spared {
   const LocalSizes& sizes_;
 };
 
+// Whether a triangle that the rim reaches may be left out.
+class Doubt {
+ public:
+  Doubt(const TriangleSet& set, const LocalSizes& sizes, const Samples& samples, const SearchOptions& options)
+      : set_(set), sizes_(sizes), samples_(samples), options_(options) {}
+
+  bool operator()(Index t, double log_ratio) const {
+    return log_ratio > options_.doubtful ||
+           (std::isfinite(options_.least_odds) &&
+            log_odds_alone(measure_triangle(set_, sizes_, samples_, t, options_.weights), options_.weights) >
+                options_.least_odds);
+  }
+
+ private:
+  const TriangleSet& set_;
+  const LocalSizes& sizes_;
+  const Samples& samples_;
+  const SearchOptions& options_;
+};
+
 // The vertices of the triangles, ascending.
 std::vector<Index> vertices_of(const TriangleSet& set, const std::vector<Index>& triangles, const Run& run) {
   std::vector<std::uint8_t> marked(set.vertices(), 0);
@@ -48,7 +69,7 @@ std::vector<Index> vertices_of(const TriangleSet& set, const std::vector<Index>&
 
 // The triangles that doubt starts from, ascending.
 std::vector<Index> first_candidates(const TriangleSet& set, const LocalSizes& sizes, const Spared& is_spared,
-                                    double doubtful, const Run& run) {
+                                    const Doubt& is_doubtful, const Run& run) {
   // Limits tell that most triangles are nothing unusual.
   sizes.find_limits(far_from_usual, run);
   const auto asked =
@@ -61,7 +82,8 @@ std::vector<Index> first_candidates(const TriangleSet& set, const LocalSizes& si
     const Triangle& x = set.triangle(t);
     if (is_spared(x)) return;
     const double ratio = sizes.log_ratio(x);  // all sizes it needs are known
-    if (set.is_at_rim(t) ? ratio > doubtful : ratio > far_from_usual + sizes.spread(x)) found.push_back(t);
+    if (set.is_at_rim(t) ? is_doubtful(t, ratio) : ratio > far_from_usual + sizes.spread(x))
+      found.push_back(t);
   });
 }
 
@@ -96,26 +118,26 @@ void find_missing(const TriangleSet& set, const std::vector<Index>& triangles, c
 
 // Those of the triangles that are doubtful where doubt is beside them.
 std::vector<Index> more_candidates(const TriangleSet& set, const std::vector<Index>& triangles,
-                                   const LocalSizes& sizes, const Spared& is_spared, double doubtful,
+                                   const LocalSizes& sizes, const Spared& is_spared, const Doubt& is_doubtful,
                                    const Run& run) {
   find_missing(set, triangles, sizes, run);
   return parallel_gather<Index>(triangles.size(), Stage::Loops, run, [&](Index i, std::vector<Index>& found) {
     const Triangle& x = set.triangle(triangles[i]);
-    if (!is_spared(x) && sizes.log_ratio(x) > doubtful) found.push_back(triangles[i]);
+    if (!is_spared(x) && is_doubtful(triangles[i], sizes.log_ratio(x))) found.push_back(triangles[i]);
   });
 }
 
 std::vector<Index> candidate_triangles(const TriangleSet& set, const LocalSizes& sizes,
-                                       const std::vector<std::uint8_t>& excluded, double doubtful,
+                                       const std::vector<std::uint8_t>& excluded, const Doubt& is_doubtful,
                                        const Run& run) {
   const Spared is_spared(excluded, sizes);
   constexpr int deepest = model::candidate_deepest;
-  std::vector<Index> all = first_candidates(set, sizes, is_spared, doubtful, run);
+  std::vector<Index> all = first_candidates(set, sizes, is_spared, is_doubtful, run);
   std::vector<std::uint8_t> seen(set.size(), 0);
   for (const Index t : all) seen[t] = 1;
   std::vector<Index> layer = all;
   for (int depth = 1; depth < deepest && !layer.empty(); ++depth) {
-    layer = more_candidates(set, see_beside(set, layer, seen), sizes, is_spared, doubtful, run);
+    layer = more_candidates(set, see_beside(set, layer, seen), sizes, is_spared, is_doubtful, run);
     all.insert(all.end(), layer.begin(), layer.end());
   }
   std::sort(all.begin(), all.end());
@@ -130,12 +152,12 @@ std::uint32_t position(const std::vector<Index>& ids, Index id) {
 
 }  // namespace
 
-Candidates find_candidates(const TriangleSet& set, const LocalSizes& sizes,
+Candidates find_candidates(const TriangleSet& set, const LocalSizes& sizes, const Samples& samples,
                            const std::vector<std::uint8_t>& excluded, const SearchOptions& options,
                            const Run& run) {
   Candidates candidates;
-  const model::FitnessModel& w = options.weights;
-  candidates.triangles = candidate_triangles(set, sizes, excluded, options.doubtful, run);
+  const FitnessWeights& w = options.weights;
+  candidates.triangles = candidate_triangles(set, sizes, excluded, Doubt(set, sizes, samples, options), run);
   candidates.vertices = vertices_of(set, candidates.triangles, run);
   sizes.find(candidates.vertices, run);
   const std::size_t count = candidates.triangles.size();
@@ -148,23 +170,17 @@ Candidates find_candidates(const TriangleSet& set, const LocalSizes& sizes,
   parallel_for_each(count, Stage::Loops, run, [&](Index i) {
     const Index t = candidates.triangles[i];
     const Triangle& x = set.triangle(t);
-    double largest = 0;
-    for (const Index v : x) largest = std::max(largest, sizes.own(v));
-    candidates.log_ratio[i] = sizes.log_ratio(x);
-    const double own = std::clamp(std::log(set.radius(t) / largest), model::own_least, model::own_most);
-    candidates.spread[i] = sizes.spread(x);
-    candidates.gain[i] = w.open + w.size * candidates.log_ratio[i] + w.own * own;
+    const TriangleMeasures measures = measure_triangle(set, sizes, samples, t, w);
+    candidates.log_ratio[i] = measures.log_ratio;
+    candidates.spread[i] = measures.spread;
+    candidates.gain[i] = log_odds_alone(measures, w);
     for (int k = 0; k < 3; ++k) {
-      const Index a = x[k], b = x[next_in(k, 3)], beside = set.across(t, k);
+      const Index beside = set.across(t, k);
       candidates.slots[i][k] = position(candidates.vertices, x[k]);
       candidates.beside[i][k] = beside;
       candidates.candidate_beside[i][k] =
           beside == none ? not_candidate : position(candidates.triangles, beside);
-      candidates.contrast[i][k] = 0;
-      if (beside == none) continue;
-      const double usual = std::max(sizes.own(set.apex(beside, a, b)), set.radius(beside));
-      const double c = std::log(set.radius(t) / usual);
-      candidates.contrast[i][k] = w.contrast * std::clamp(c - w.least_contrast, -1.0, 0.0);
+      candidates.contrast[i][k] = beside == none ? 0 : w.contrast * lack_of_contrast(set, sizes, t, k, w);
     }
   });
   return candidates;

@@ -83,10 +83,11 @@ void FanCorners::add_fan(const TriangleSet& set, Index vertex, Index t, Index fr
   fans_.push_back(fan);
 }
 
-double FanCorners::cost(std::size_t slot, const Selection& selected, const model::FitnessModel& w) const {
+double FanCorners::cost(std::size_t slot, const Selection& selected, const FitnessWeights& w,
+                        double even) const {
   const Turns t = turns(slot, selected);
-  return w.slight * t.slight + w.moderate * t.moderate + w.sharp * t.sharp + w.pinch * t.pinches +
-         w.isolated * t.isolated;
+  return (w.slight + even * w.even_slight) * t.slight + (w.moderate + even * w.even_moderate) * t.moderate +
+         (w.sharp + even * w.even_sharp) * t.sharp + w.pinch * t.pinches + w.isolated * t.isolated;
 }
 
 FanCorners::Turns FanCorners::turns(std::size_t slot, const Selection& selected) const {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "base/model.h"
+#include "search/fitness_weights.h"
 #include "surface/rims.h"
 #include "surface/triangle_set.h"
 
@@ -28,8 +28,10 @@ class FanCorners {
   };
   Turns turns(std::size_t slot, const Selection& selected) const;
 
-  // The cost of a vertex, given by its position in `vertices`.
-  double cost(std::size_t slot, const Selection& selected, const model::FitnessModel& weights) const;
+  // The cost of a vertex, given by its position in `vertices`; `even`: how even its rim is known to be, 0
+  // to 1.
+  double cost(std::size_t slot, const Selection& selected, const FitnessWeights& weights,
+              double even = 0) const;
 
  private:
   struct Corner {

@@ -93,9 +93,11 @@ void GroupSearch::turn(std::uint32_t i) {
 // Of the rim at a vertex, as the bits are.
 double GroupSearch::cost(std::uint32_t v) {
   const Vertex& vertex = vertices_[v];
-  if (vertex.costs == not_candidate) return corners_.cost(vertex.slot, selected_, options_.weights);
+  const double even = candidates_.even.empty() ? 0 : candidates_.even[vertex.slot];
+  const auto ask = [&] { return corners_.cost(vertex.slot, selected_, options_.weights, even); };
+  if (vertex.costs == not_candidate) return ask();
   double& known = costs_[vertex.costs + vertex.mask];
-  if (std::isnan(known)) known = corners_.cost(vertex.slot, selected_, options_.weights);
+  if (std::isnan(known)) known = ask();
   return known;
 }
 
@@ -324,7 +326,7 @@ GroupSearch::Hole GroupSearch::hole_at(std::uint32_t start, std::vector<std::uin
 // What a hole must bring. Where sizes spread, chance tears holes, and more is asked; but not of one whose
 // empty disc chance does not bring about, and hardly anything of one that is out of all proportion there.
 double GroupSearch::least_gain(const Hole& hole) const {
-  const model::FitnessModel& w = options_.weights;
+  const FitnessWeights& w = options_.weights;
   if (is_far_beyond_spread(hole)) return w.hole_prior_beyond_spread;
   const double by_spread = is_chance(hole.largest) ? w.hole_prior_spread * hole.spread : 0;
   return w.hole_prior + by_spread + w.hole_prior_points * log_points_;

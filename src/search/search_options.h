@@ -2,8 +2,10 @@
 // What the genetic search is given.
 #pragma once
 
+#include <limits>
+
 #include "base/model.h"
-#include "search/fitness.h"
+#include "search/fitness_weights.h"
 
 namespace rimline {
 
@@ -12,7 +14,9 @@ struct SearchOptions {
   int generations = 30;  // most of them; a group stops where all agree. 0 leaves the greedy choice [option]
   double doubtful =
       model::candidate_least;  // least log_ratio of a triangle that is doubtful where the rim reaches it
-  model::FitnessModel weights;
+  // Or its least log_odds_alone().
+  double least_odds = std::numeric_limits<double>::infinity();
+  FitnessWeights weights;
 };
 
 }  // namespace rimline

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "evidence/jaggedness.h"
 #include "evidence/rim_probability.h"
+#include "search/open_ears.h"
 #include "search/selection_search.h"
 #include "surface/local_size.h"
 #include "surface/propose.h"
@@ -29,18 +30,13 @@ SearchOptions options_for(const SamplingProfile& sampling, const BoundaryLoopOpt
   return o;
 }
 
-// Marks the points of rims that are no boundary, as all triangles stand: at creases and thin walls stars do
-// not agree and leave gaps, which the search would only tear open.
-std::vector<std::uint8_t> find_excluded(const TriangleSet& set, const Samples& samples,
-                                        const SamplingProfile& sampling, const Run& run) {
-  const Selection all(set.size(), 1);
-  const RimEvidence evidence{set, all, {}, samples, sampling};
-  std::vector<std::uint8_t> excluded(samples.points.size(), 0);
-  for (const auto& rim : walk_rims(set, all, run)) {
-    if (rim.size() < model::gap_least || rim_probability(rim, evidence, run) >= model::gap_most) continue;
-    for (const Index v : rim) excluded[v] = 1;
-  }
-  return excluded;
+// For the search for single ears, once the openings are open.
+SearchOptions along_rims(const SearchOptions& first) {
+  SearchOptions o = first;
+  o.least_odds = model::candidate_least_odds;
+  o.weights = weights_along_rims(first.weights);
+  o.weights.open -= model::ear_margin;
+  return o;
 }
 
 SelectionSummary added(SelectionSummary summary, const SearchResult& found) {
@@ -89,6 +85,18 @@ std::vector<std::uint8_t> points_of_others(const TriangleSet& set, const Selecti
 
 }  // namespace
 
+std::vector<std::uint8_t> find_excluded(const TriangleSet& set, const Samples& samples,
+                                        const SamplingProfile& sampling, const Run& run) {
+  const Selection all(set.size(), 1);
+  const RimEvidence evidence{set, all, {}, samples, sampling};
+  std::vector<std::uint8_t> excluded(samples.points.size(), 0);
+  for (const auto& rim : walk_rims(set, all, run)) {
+    if (rim.size() < model::gap_least || rim_probability(rim, evidence, run) >= model::gap_most) continue;
+    for (const Index v : rim) excluded[v] = 1;
+  }
+  return excluded;
+}
+
 SelectedSurface select(TriangleSet set, const Samples& samples, const SamplingProfile& sampling,
                        const BoundaryLoopOptions& options, const Run& run) {
   if (sampling.is_range_image) {
@@ -100,8 +108,8 @@ SelectedSurface select(TriangleSet set, const Samples& samples, const SamplingPr
   const SearchOptions o = options_for(sampling, options);
   LocalSizes sizes(set, samples.neighbours, run);
   FirstFound first =
-      search_twice(SelectionSearch(set, sizes, find_excluded(set, samples, sampling, run), o, run), set,
-                   sampling.noise.noise == 0, o, run);
+      search_twice(SelectionSearch(set, sizes, samples, find_excluded(set, samples, sampling, run), o, run),
+                   set, sampling.noise.noise == 0, o, run);
   // The large triangles that are gone had turned edges of the rim; with them out of the way the ears they
   // leave can be seen for what they are, so the search looks again.
   std::vector<std::uint8_t> changed = points_of_others(set, first.selection, run);
@@ -112,10 +120,14 @@ SelectedSurface select(TriangleSet set, const Samples& samples, const SamplingPr
     for (const Index v : set.triangle(t)) changed[v] = 1;
   }
   sizes.forget(changed, run);
-  const SelectionSearch search(set, sizes, find_excluded(set, samples, sampling, run), o, run);
-  SearchResult last = search.find(first.even);
-  SelectionSummary summary = added(std::move(first.summary), last);
-  return {std::move(set), std::move(last.selected), std::move(summary)};
+  const auto excluded = find_excluded(set, samples, sampling, run);
+  const SearchResult open = SelectionSearch(set, sizes, samples, excluded, o, run).find(first.even);
+  SelectionSummary summary = added(std::move(first.summary), open);
+  if (o.generations == 0) return {std::move(set), open.selected, std::move(summary)};
+  const SearchResult ears =
+      SelectionSearch(set, sizes, samples, excluded, along_rims(o), run).find(first.even);
+  Selection selection = open_ears(set, open.selected, ears.selected, model::ear_most, run);
+  return {std::move(set), std::move(selection), std::move(summary)};
 }
 
 }  // namespace rimline

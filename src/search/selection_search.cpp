@@ -13,13 +13,13 @@
 #include "search/group_search.h"
 
 namespace rimline {
-SelectionSearch::SelectionSearch(const TriangleSet& set, const LocalSizes& sizes,
+SelectionSearch::SelectionSearch(const TriangleSet& set, const LocalSizes& sizes, const Samples& samples,
                                  const std::vector<std::uint8_t>& excluded, const SearchOptions& options,
                                  const Run& run)
     : set_(set),
       options_(options),
       run_(run),
-      candidates_(find_candidates(set, sizes, excluded, options, run)),
+      candidates_(find_candidates(set, sizes, samples, excluded, options, run)),
       corners_(set, candidates_.vertices, run),
       groups_(group_candidates(candidates_)) {}
 
@@ -46,7 +46,9 @@ SearchResult SelectionSearch::find_again(const std::vector<double>& evenness, co
 // The doubts where rims are even, or nothing is known of that.
 Candidates SelectionSearch::with(const std::vector<double>& evenness) const {
   Candidates candidates = candidates_;
-  for (std::size_t i = 0; !evenness.empty() && i < candidates.triangles.size(); ++i) {
+  if (evenness.empty()) return candidates;
+  for (const Index v : candidates.vertices) candidates.even.push_back(evenness[v]);
+  for (std::size_t i = 0; i < candidates.triangles.size(); ++i) {
     double even = 0;
     for (const Index v : set_.triangle(candidates.triangles[i])) even += evenness[v] / 3;
     candidates.gain[i] -= options_.weights.even * even;

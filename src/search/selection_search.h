@@ -37,8 +37,8 @@ struct SearchResult {
 // The set, which must stay as it is, and the run must outlive it.
 class SelectionSearch {
  public:
-  SelectionSearch(const TriangleSet& set, const LocalSizes& sizes, const std::vector<std::uint8_t>& excluded,
-                  const SearchOptions& options, const Run& run);
+  SelectionSearch(const TriangleSet& set, const LocalSizes& sizes, const Samples& samples,
+                  const std::vector<std::uint8_t>& excluded, const SearchOptions& options, const Run& run);
 
   // `evenness`: of a rim known before at each vertex, 0 to 1; 0 where it is on none. Empty: not known.
   SearchResult find(const std::vector<double>& evenness) const;

@@ -29,7 +29,8 @@ struct Holed : ProposedSurface {
   }
 
   Candidates find(std::uint8_t mark) const {
-    return find_candidates(set, sizes, std::vector<std::uint8_t>(points.size(), mark), {}, {});
+    const Samples samples{points, neighbours, spacing, frames};
+    return find_candidates(set, sizes, samples, std::vector<std::uint8_t>(points.size(), mark), {}, {});
   }
 
   LocalSizes sizes;

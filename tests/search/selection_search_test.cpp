@@ -43,7 +43,10 @@ std::size_t left_out(std::uint8_t mark) {
   const TriangleSet set = propose_surface(holed.points, holed.frames, stars, holed.spacing, 4, {});
   LocalSizes sizes(set, holed.neighbours);
   const std::vector<std::uint8_t> excluded(holed.points.size(), mark);
-  const SearchResult found = SelectionSearch(set, sizes, excluded, {}, {}).find({});
+  const SearchResult found =
+      SelectionSearch(set, sizes, {holed.points, holed.neighbours, holed.spacing, holed.frames}, excluded, {},
+                      {})
+          .find({});
   return static_cast<std::size_t>(std::count(found.selected.begin(), found.selected.end(), 0));
 }
 
@@ -60,7 +63,9 @@ TEST_CASE("a second search takes over what no even rim touches, and finds the re
   const TriangleSet set = propose_surface(holed.points, holed.frames, stars, holed.spacing, 4, {});
   LocalSizes sizes(set, holed.neighbours);
   const Run run;
-  const SelectionSearch search(set, sizes, std::vector<std::uint8_t>(holed.points.size(), 0), {}, run);
+  const Samples samples{holed.points, holed.neighbours, holed.spacing, holed.frames};
+  const SelectionSearch search(set, sizes, samples, std::vector<std::uint8_t>(holed.points.size(), 0), {},
+                               run);
   const Selection found = search.find({}).selected;
   const std::vector<double> uneven(holed.points.size(), 0), even(holed.points.size(), 1);
   Selection other = found;

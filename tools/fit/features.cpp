@@ -10,11 +10,16 @@
 //   ear? points_on      ear, chi, rim                      of each point of a likely rim: is it on the
 //   boundary? points_behind  ear, chi, rim                      of each point behind an edge of one: the same
 //   range_points   chi                                of each point on a rim of a range image: the same
+//   triangles      each term of the fitness           of each triangle along the rims: is it left out? Where
+//   the
+//                                                     true loops are in SET.loops.json
 // At most a line a rim and four a point of a rim.
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <optional>
+#include <string>
 
 #include "evidence/jaggedness.h"
 #include "evidence/probability.h"
@@ -26,6 +31,7 @@
 #include "search/false_ears.h"
 #include "surface/propose.h"
 #include "surface/range_image.h"
+#include "triangles.h"
 
 using namespace rimline;
 
@@ -95,7 +101,22 @@ void print_points(const Rim& rim, const RimEvidence& e, const LocalSizes& sizes,
   }
 }
 
-void run_on(const char* file) {
+// The true loops by arranged points; none where there is no file of them.
+std::vector<Rim> true_loops(const std::string& file, const Arrangement& arranged, std::size_t points) {
+  if (!std::filesystem::exists(file)) return {};
+  std::vector<Index> place(points, none);
+  for (Index i = 0; i < arranged.ids.size(); ++i) place[arranged.ids[i]] = i;
+  std::vector<Rim> loops;
+  for (const Loop& loop : read_loops(file, points)) {
+    Rim& rim = loops.emplace_back();
+    for (const Index id : loop.points) {
+      if (place[id] != none) rim.push_back(place[id]);
+    }
+  }
+  return loops;
+}
+
+void run_on(const std::string& file) {
   const Run run;
   const BoundaryLoopOptions options;
   const Cloud cloud = read_cloud(file, run);
@@ -116,6 +137,9 @@ void run_on(const char* file) {
   const Selection all(proposed.size(), 1);
   if (!image) print_rims({proposed, all, {}, samples, sampling}, truth, run);
   const auto surface = select(std::move(proposed), samples, sampling, options, run);
+  const auto loops =
+      true_loops(file.substr(0, file.rfind('.')) + ".loops.json", arranged, cloud.points.size());
+  if (!image && !loops.empty()) print_triangles(surface, samples, sampling, loops, run);
   const LocalSizes sizes(surface.set, samples.neighbours, run);
   const auto without = remove_false_ears(surface, sizes, samples, sampling, options, run);
 

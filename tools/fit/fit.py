@@ -17,7 +17,7 @@ import numpy as np
 import model_table
 
 # Of each term: the struct of model.h, its coefficients in the order of the columns, and the columns from the measures.
-TERMS = ("rims", "ears", "points_on", "points_behind", "range_points")
+TERMS = ("rims", "ears", "points_on", "points_behind", "range_points", "triangles")
 
 
 def read_model():
@@ -38,7 +38,7 @@ def columns(term, x, model):
         size = np.log(np.minimum(x[:, 0], model["RimModel", "most_points"]) / model["RimModel", "usual_points"])
         ball = np.minimum(x[:, 2], model["RimModel", "most_ball"])
         return np.column_stack([size, x[:, 1], ball])
-    if term == "ears":
+    if term in ("ears", "triangles"):
         return x
     if term == "range_points":
         return np.log1p(x)
@@ -55,6 +55,9 @@ def today(term, model):
     struct, names = {
         "rims": ("RimModel", ("constant", "size", "thickness", "empty_ball")),
         "ears": ("FalseEarModel", ("constant", "angle", "log_tail", "jaggedness")),
+        "triangles": ("RimFitnessModel", ("open", "size", "own", "tip", "spread", "even", "slight", "moderate", "sharp",
+                                          "even_slight", "even_moderate", "even_sharp", "contrast", "pinch",
+                                          "one_sided", "least_one_sided", "toward", "least_toward")),
         "points_on": ("PointOnRimModel", ("constant", "ear", "chi", "rim")),
         "points_behind": ("PointBehindRimModel", ("constant", "ear", "chi", "rim")),
     }[term]
