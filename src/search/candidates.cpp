@@ -15,11 +15,11 @@ namespace {
 
 constexpr double far_from_usual = model::candidate_inside;
 
-// log_ratio beyond the spread of a triangle that closes an opening, whatever the gaps beside it are: a chord
-// over a small hole leaves gaps that look like those at creases, since its other rim lies beyond them.
+// log_ratio beyond the spread. A larger triangle is a candidate even at an excluded vertex: a chord over a
+// small hole leaves gaps that look like those at creases, since the other rim of the hole lies beyond them.
 constexpr double plainly_too_large = model::candidate_plain;
 
-// Whether a triangle is out of doubt for the gaps at its corners.
+// Whether a triangle is no candidate because of the gaps at its corners.
 class Spared {
  public:
   Spared(const std::vector<std::uint8_t>& excluded, const LocalSizes& sizes)
@@ -35,7 +35,7 @@ class Spared {
   const LocalSizes& sizes_;
 };
 
-// Whether a triangle that the rim reaches may be left out.
+// Whether a triangle at the rim may be left out.
 class Doubt {
  public:
   Doubt(const TriangleSet& set, const LocalSizes& sizes, const Samples& samples, const SearchOptions& options)
@@ -67,10 +67,10 @@ std::vector<Index> vertices_of(const TriangleSet& set, const std::vector<Index>&
   });
 }
 
-// The triangles that doubt starts from, ascending.
+// The candidates that are found without their neighbours, ascending.
 std::vector<Index> first_candidates(const TriangleSet& set, const LocalSizes& sizes, const Spared& is_spared,
                                     const Doubt& is_doubtful, const Run& run) {
-  // Limits tell that most triangles are nothing unusual.
+  // Limits show that most triangles have a usual size.
   sizes.find_limits(far_from_usual, run);
   const auto asked =
       parallel_gather<Index>(set.size(), Stage::Loops, run, [&](Index t, std::vector<Index>& found) {
@@ -87,7 +87,7 @@ std::vector<Index> first_candidates(const TriangleSet& set, const LocalSizes& si
   });
 }
 
-// The triangles beside these that are not among the seen yet, which they are then.
+// The neighbours of the triangles that are not marked as seen; marks them.
 std::vector<Index> see_beside(const TriangleSet& set, const std::vector<Index>& triangles,
                               std::vector<std::uint8_t>& seen) {
   std::vector<Index> beside;
@@ -116,7 +116,7 @@ void find_missing(const TriangleSet& set, const std::vector<Index>& triangles, c
   sizes.find(missing, run);
 }
 
-// Those of the triangles that are doubtful where doubt is beside them.
+// The triangles that are doubtful when a neighbour is a candidate.
 std::vector<Index> more_candidates(const TriangleSet& set, const std::vector<Index>& triangles,
                                    const LocalSizes& sizes, const Spared& is_spared, const Doubt& is_doubtful,
                                    const Run& run) {
@@ -144,7 +144,7 @@ std::vector<Index> candidate_triangles(const TriangleSet& set, const LocalSizes&
   return all;
 }
 
-// The position of an id among ascending ones, or `not_candidate` where it is not among them.
+// The position of an id in an ascending list, or `not_candidate` if it is not in the list.
 std::uint32_t position(const std::vector<Index>& ids, Index id) {
   const auto at = std::lower_bound(ids.begin(), ids.end(), id);
   return at != ids.end() && *at == id ? static_cast<std::uint32_t>(at - ids.begin()) : not_candidate;

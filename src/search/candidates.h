@@ -16,23 +16,24 @@ namespace rimline {
 
 constexpr std::uint32_t not_candidate = ~std::uint32_t{0};
 
-// The candidate triangles, and how they hang together.
+// The candidate triangles and how they are connected.
 struct Candidates {
   std::vector<Index> triangles;  // ascending
-  std::vector<double> gain;      // of leaving each out, before corners are looked at
+  std::vector<double> gain;      // log odds of leaving each out, without the cost of corners
   std::vector<double> log_ratio, spread;
   std::vector<std::array<Index, 3>> beside;  // the triangles across its edges, or none
   std::vector<std::array<std::uint32_t, 3>>
-      candidate_beside;                         // of those the positions here, or `not_candidate`
-  std::vector<std::array<double, 3>> contrast;  // worth of a rim between it, left out, and each of them, kept
-  std::vector<Index> vertices;                  // of these triangles, ascending
-  std::vector<double> even;                     // how even the rim at each of these is known to be; or empty
+      candidate_beside;  // their positions in `triangles`, or `not_candidate`
+  std::vector<std::array<double, 3>>
+      contrast;                 // log odds of a rim between the triangle, left out, and each neighbour, kept
+  std::vector<Index> vertices;  // corners of the candidates, ascending
+  std::vector<double> even;     // evenness of the rim at each vertex, 0 to 1; empty: not known
   std::vector<std::array<std::uint32_t, 3>> slots;  // position of each triangle's vertices in `vertices`
 };
 
-// Starts from the triangles at the rim that are large for where they are and from those inside that are too
-// large, and takes in what is doubtful beside these. Triangles at a vertex that is marked in `excluded` are
-// left alone, unless they are plainly too large.
+// The search starts at triangles of the rim that are large for their surroundings, and at inner triangles
+// that are too large. It adds doubtful triangles beside these, up to model::candidate_deepest layers. A
+// triangle at a vertex marked in `excluded` is no candidate, unless it is plainly too large.
 Candidates find_candidates(const TriangleSet& set, const LocalSizes& sizes, const Samples& samples,
                            const std::vector<std::uint8_t>& excluded, const SearchOptions& options,
                            const Run& run);

@@ -46,7 +46,7 @@ void FanCorners::add_vertex(const TriangleSet& set, Index vertex) {
       if (v != vertex) pair[count++] = v;
     }
   };
-  for (const bool closed : {false, true}) {  // open fans start at a free edge; what is left then is closed
+  for (const bool closed : {false, true}) {  // open fans start at a free edge; the rest are closed
     for (std::size_t i = 0; i < left.size();) {
       Index pair[2];
       others(left[i], pair);
@@ -96,7 +96,7 @@ FanCorners::Turns FanCorners::turns(std::size_t slot, const Selection& selected)
   for (std::uint32_t f = first_fan_[slot]; f < first_fan_[slot + 1]; ++f) {
     const Fan& fan = fans_[f];
     const std::uint32_t size = fan.last - fan.first;
-    std::uint32_t begin = 0;  // a corner that follows a gap, for closed fans
+    std::uint32_t begin = 0;  // for closed fans: a corner after a gap
     if (fan.closed) {
       while (begin < size && selected[corners_[fan.first + begin].triangle]) ++begin;
       if (begin == size) {
@@ -104,8 +104,7 @@ FanCorners::Turns FanCorners::turns(std::size_t slot, const Selection& selected)
         continue;
       }
     }
-    const auto corner_at =
-        [&](std::uint32_t i) -> const Corner& {  // around again; a remainder would take longer
+    const auto corner_at = [&](std::uint32_t i) -> const Corner& {  // cyclic; faster than a remainder
       return corners_[fan.first + (begin + i < size ? begin + i : begin + i - size)];
     };
     float from = 0;
@@ -123,7 +122,7 @@ FanCorners::Turns FanCorners::turns(std::size_t slot, const Selection& selected)
       }
       const bool ends = i + 1 == size || !selected[corner_at(i + 1).triangle];
       if (!ends) continue;
-      // Both are directions, so this is the exact remainder by a full turn.
+      // Both are angles in (-pi, pi], so this is the exact remainder modulo 2 pi.
       double between = std::abs(static_cast<double>(from - corner.to));
       if (between > std::numbers::pi) between = std::abs(between - 2 * std::numbers::pi);
       const double turning = std::numbers::pi - between;

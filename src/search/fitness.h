@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a rim is worth: the fitness of the genetic search.
+// The fitness of a selection: log odds of its rim.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@
 
 namespace rimline {
 
-// The paper sums scores over a path, eq. (3). Here the score of a rim is the sum of the log odds of the
-// triangles that are left out, less what its corners cost by their turning, piecewise linear
-// (model::FitnessModel).
+// The paper sums scores over a path, eq. (3). Here the fitness of a selection is the sum of the log odds of
+// the triangles that it leaves out, less a cost of the turning angles of its rim. The cost is piecewise
+// linear in the angle (model::FitnessModel).
 
-// The corners around a vertex, fan after fan, for quick looks at which are selected.
+// The corners of triangles around each vertex, fan by fan, so that the rim there is found quickly for any
+// selection.
 class FanCorners {
  public:
-  // For the given vertices, which must hold each vertex of an ambiguous triangle once.
+  // `vertices` must contain each vertex of each candidate triangle once.
   FanCorners(const TriangleSet& set, std::span<const Index> vertices, const Run& run);
 
-  // What the rim does at a vertex: sums over its fans.
+  // Turning angles (radians), pinches and isolated points at a vertex, summed over its fans.
   struct Turns {
     double slight = 0, moderate = 0, sharp = 0, pinches = 0, isolated = 0;
   };
   Turns turns(std::size_t slot, const Selection& selected) const;
 
-  // The cost of a vertex, given by its position in `vertices`; `even`: how even its rim is known to be, 0
-  // to 1.
+  // The cost of a vertex, given by its position in `vertices`. `even`: evenness of the rim there, 0 to 1.
   double cost(std::size_t slot, const Selection& selected, const FitnessWeights& weights,
               double even = 0) const;
 

@@ -11,7 +11,7 @@ namespace rimline {
 namespace {
 
 constexpr double least_gain_of_flip = 1e-9;  // [guard]
-constexpr std::uint32_t most_in_table = 8;   // bits of a vertex whose costs are remembered [speed]
+constexpr std::uint32_t most_in_table = 8;   // bits of a vertex whose costs are tabulated [speed]
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void GroupSearch::find_vertices() {
     vertices_.push_back({slot, first, last, few ? costs : not_candidate, few ? (1u << here) - 1 : 0});
     if (few) costs += 1u << here;
   }
-  // The order of a triangle's corners is that of its ids, which a turn of the cloud changes.
+  // The order of a triangle's corners depends on ids, which change when the cloud is turned.
   const auto before = [&](std::uint32_t a, std::uint32_t b) {
     return std::ranges::lexicographical_compare(bits_at(vertices_[a]), bits_at(vertices_[b]));
   };
@@ -90,7 +90,7 @@ void GroupSearch::turn(std::uint32_t i) {
   for (int k = 0; k < 3; ++k) vertices_[bit.vertices[k]].mask ^= 1u << bit.places[k];
 }
 
-// Of the rim at a vertex, as the bits are.
+// Cost of the rim at a vertex for the current bits.
 double GroupSearch::cost(std::uint32_t v) {
   const Vertex& vertex = vertices_[v];
   const double even = candidates_.even.empty() ? 0 : candidates_.even[vertex.slot];
@@ -101,7 +101,7 @@ double GroupSearch::cost(std::uint32_t v) {
   return known;
 }
 
-// What leaving a triangle out brings, where it is left out.
+// Log odds of a triangle that is left out; 0 if it is selected.
 double GroupSearch::worth(std::uint32_t i) const {
   if (now_[i]) return 0;
   const Bit& bit = bits_[i];
@@ -146,7 +146,7 @@ double GroupSearch::flip(std::span<const std::uint32_t> which) {
   return gain;
 }
 
-// Flips the bits, and back again where that makes it worse. Returns the gain.
+// Flips the bits, and flips them back if that lowers the fitness. Returns the gain.
 double GroupSearch::try_flip(std::span<const std::uint32_t> which) {
   const bool is_one = which.size() == 1;
   if (is_one && settled_[which[0]]) return 0;
@@ -160,14 +160,14 @@ double GroupSearch::try_flip(std::span<const std::uint32_t> which) {
   return 0;
 }
 
-// After the bit was flipped: what the flip of another brings hangs on the bits that share a vertex with it.
+// After a flip: marks as unsettled the bits that share a vertex with it, whose gains may have changed.
 void GroupSearch::unsettle(std::uint32_t i) {
   for (const std::uint32_t v : bits_[i].corners) {
     for (const std::uint32_t other : bits_at(vertices_[v])) settled_[other] = 0;
   }
 }
 
-// A connected set of up to `most` bits around one; those for which take() says yes.
+// A connected set of at most `most` bits around one, of bits for which take() is true.
 template <class Take>
 std::span<const std::uint32_t> GroupSearch::region(std::uint32_t from, std::size_t most, const Take& take) {
   region_.assign(1, from);
@@ -200,7 +200,7 @@ void GroupSearch::load_by_size(double threshold) {
   for (std::uint32_t i = 0; i < count(); ++i) set(i, candidates_.log_ratio[bits_[i].candidate] <= threshold);
 }
 
-// Flips bit after bit until none pays.
+// Hill climbing by flips of single bits.
 void GroupSearch::climb() {
   double gain = 0, before = -1;
   for (int sweep = 0; sweep < 20 && gain > before; ++sweep) {  // [guard]
@@ -212,7 +212,7 @@ void GroupSearch::climb() {
 void GroupSearch::first_population(std::size_t size) {
   members_.resize(size);
   for (std::size_t i = 0; i < size; ++i) {
-    // From all selected, over ever smaller sizes.
+    // Selections by thresholds on size, from large to small.
     const auto steps = static_cast<double>(std::max<std::size_t>(3, size) - 2);
     const double threshold =
         i == 0 ? model::population_all
@@ -229,7 +229,7 @@ void GroupSearch::first_population(std::size_t size) {
   }
 }
 
-// One generation: every member takes over what improves it from others, and tries small changes.
+// One generation: each member tries connected regions of other members (crossover) and of its own (mutation).
 void GroupSearch::breed() {
   for (Member& member : members_) {
     load(member.genes);
@@ -282,9 +282,9 @@ GroupResult GroupSearch::search(const CandidateGroup& group, const Random& rando
   return result;
 }
 
-// Inside the surface a hole must be worth more than chance brings about somewhere on a large surface, and
-// its empty disc be twice as large as is usual; the others are closed. Returns what that changes the fitness
-// by.
+// Closes holes inside the surface that chance explains: a hole must gain more than the best gap that chance
+// tears somewhere on a surface of this size, and its empty disc must be twice the usual size. Returns the
+// change of fitness.
 double GroupSearch::close_doubtful_holes() {
   double change = 0;
   std::vector<std::uint8_t> seen(count(), 0);
@@ -302,7 +302,7 @@ double GroupSearch::close_doubtful_holes() {
   return change;
 }
 
-// The void that holds one.
+// The connected triangles left out around `start`.
 GroupSearch::Hole GroupSearch::hole_at(std::uint32_t start, std::vector<std::uint8_t>& seen) const {
   Hole result;
   std::vector<std::uint32_t>& found = result.bits;
@@ -323,8 +323,8 @@ GroupSearch::Hole GroupSearch::hole_at(std::uint32_t start, std::vector<std::uin
   return result;
 }
 
-// What a hole must bring. Where sizes spread, chance tears holes, and more is asked; but not of one whose
-// empty disc chance does not bring about, and hardly anything of one that is out of all proportion there.
+// The least gain of a hole. It is higher where sizes spread, since chance tears holes there; but not for an
+// empty disc that is too large for chance, and close to nothing for one far beyond all sizes around it.
 double GroupSearch::least_gain(const Hole& hole) const {
   const FitnessWeights& w = options_.weights;
   if (is_far_beyond_spread(hole)) return w.hole_prior_beyond_spread;
@@ -332,8 +332,8 @@ double GroupSearch::least_gain(const Hole& hole) const {
   return w.hole_prior + by_spread + w.hole_prior_points * log_points_;
 }
 
-// Whether sizes that spread as around the hole have none so large among 2 n: their logarithms are taken for
-// normal numbers, whose tail falls as exp(-z^2 / 2).
+// Whether no size so large is expected among 2 n triangles with the spread around the hole. Logarithms of
+// sizes are taken as normal, with a tail of exp(-z^2 / 2).
 bool GroupSearch::is_far_beyond_spread(const Hole& hole) const {
   constexpr double to_deviation = model::spread_to_deviation;
   constexpr double usual = model::spread_usual;
@@ -342,8 +342,8 @@ bool GroupSearch::is_far_beyond_spread(const Hole& hole) const {
   return z * z / 2 - std::log(2 * model::prior_points) - log_points_ >= margin;
 }
 
-// Whether a triangle so large may be found among the 2 n of n random points. Of random points the area of
-// the circumcircle times the density has the law of Gamma(2), whose value 5/8 up is 2.15.
+// Whether a triangle so large is expected among the 2 n of n random points. For random points the area of the
+// circumcircle times the density follows Gamma(2), whose quantile at 5/8 is 2.15.
 bool GroupSearch::is_chance(double log_ratio) const {
   constexpr double typical = model::chance_typical, margin = model::chance_margin;
   const double area = typical * std::exp(2 * log_ratio);

@@ -18,10 +18,10 @@
 
 namespace rimline {
 
-// Small numbers, each once, ascending.
+// A set of small numbers, read in ascending order.
 class Marks {
  public:
-  // For numbers below the count.
+  // Of numbers below `count`.
   void start(std::size_t count) {
     words_.assign((count + 63) / 64, 0);  // [layout]
     begin_ = words_.size();
@@ -49,20 +49,21 @@ class Marks {
 
  private:
   std::vector<std::uint64_t> words_;
-  std::size_t begin_ = 0, end_ = 0;  // of the words that are not zero
+  std::size_t begin_ = 0, end_ = 0;  // range of words that may be nonzero
 };
 
-// What the search of one group finds, but for the triangles that it keeps.
+// Summary of the search of one group.
 struct GroupResult {
   double greedy = 0, best = 0;
-  std::vector<double> history_best, history_mean;  // until it stopped; its last generation goes on
+  std::vector<double> history_best,
+      history_mean;  // per generation until it stopped; later ones equal the last
 };
 
-// The search in one group after another. The shared mask `selected` holds the chromosome that is worked on:
-// one bit for each triangle of the group.
+// Searches one group after another. The shared mask `selected` holds the current chromosome: one bit for each
+// triangle of the group.
 class GroupSearch {
  public:
-  // All that is given must outlive it. `log_points`: e-folds of the points of the surface beyond 1,000.
+  // All arguments must outlive it. `log_points`: log(points / 1000), at least 0.
   GroupSearch(const Candidates& candidates, const CandidateGroups& groups, const FanCorners& corners,
               const SearchOptions& options, Selection& selected, double log_points)
       : candidates_(candidates),
@@ -74,42 +75,42 @@ class GroupSearch {
 
   GroupResult search(const CandidateGroup& group, const Random& random);
 
-  // Turns to a group, all of whose triangles are selected.
+  // Sets the current group. All its triangles must be selected.
   void start(const CandidateGroup& group);
   double fitness();
-  // Flips the bits and returns what the fitness gains.
+  // Flips the bits and returns the gain of fitness.
   double flip(std::span<const std::uint32_t> which);
 
  private:
   using Chromosome = std::vector<std::uint8_t>;
 
   struct Bit {
-    std::uint32_t candidate;  // its position among the doubtful
+    std::uint32_t candidate;  // its position in Candidates::triangles
     Index triangle;
-    double gain;                     // of leaving it out, and what that is worth more for each beside it
-    std::array<double, 3> contrast;  // that is selected; copied here, for they are asked for together
+    double gain;                     // log odds of leaving it out, and more for each neighbour
+    std::array<double, 3> contrast;  // that is selected; copied here because both are read together
     std::uint32_t near_count = 0;
-    std::array<std::uint32_t, 3> beside{};    // the bits across its edges, as `now_` has them
-    std::array<std::uint32_t, 4> near{};      // itself and the bits beside it, ascending
-    std::array<std::uint32_t, 3> corners{};   // its vertices, as the triangle has them,
+    std::array<std::uint32_t, 3> beside{};    // bits of `now_` across its edges
+    std::array<std::uint32_t, 4> near{};      // its own bit and those of its neighbours, ascending
+    std::array<std::uint32_t, 3> corners{};   // its vertices, in the order of the triangle,
     std::array<std::uint32_t, 3> vertices{};  // and ascending,
-    std::array<std::uint8_t, 3> places{};     // and its places among the bits of these
-    std::uint8_t found = 0;                   // of these, while they are found
+    std::array<std::uint8_t, 3> places{};     // and its position among the bits of each
+    std::uint8_t found = 0;                   // number of vertices set so far
   };
   struct Vertex {
     std::uint32_t slot;         // in Candidates::vertices
-    std::uint32_t first, last;  // of its bits in `at_vertex_`
-    std::uint32_t costs;        // in `costs_`, or `not_candidate` where its bits are too many
-    std::uint32_t mask = 0;     // of its bits that are selected
+    std::uint32_t first, last;  // range of its bits in `at_vertex_`
+    std::uint32_t costs;        // index into `costs_`, or `not_candidate` if it has too many bits
+    std::uint32_t mask = 0;     // which of its bits are selected
   };
   struct Member {
     Chromosome genes;
     double fitness = 0;
   };
-  // Left out triangles that hang together over edges.
+  // Triangles that are left out and connected over edges.
   struct Hole {
     std::vector<std::uint32_t> bits;
-    bool outside = false;     // reaches a free edge of the set
+    bool outside = false;     // contains a free edge of the set
     double spread = 0;        // mean over the triangles
     double largest = -1e300;  // log_ratio
   };
@@ -152,13 +153,13 @@ class GroupSearch {
   Random random_{0};
   std::vector<Bit> bits_;
   std::vector<Vertex> vertices_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of a slot and a bit there, ascending
-  std::vector<std::uint32_t> at_vertex_;                        // the bits alone
-  std::vector<double> costs_;  // of each vertex for all that its bits may be; NaN where not asked for yet
-  Chromosome now_;             // the bits; then one that is no triangle, and one that is in no doubt
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // slot and bit, ascending
+  std::vector<std::uint32_t> at_vertex_;                        // the bits of `pairs_`
+  std::vector<double> costs_;  // of each vertex and each mask of its bits; NaN: not computed yet
+  Chromosome now_;  // the bits; then one for no triangle, and one for triangles that are no candidates
   std::vector<Member> members_;
-  Chromosome start_;                   // of the climb before
-  std::vector<std::uint8_t> settled_;  // bits whose flip is known not to pay, as all bits are now
+  Chromosome start_;                   // start of the last climb
+  std::vector<std::uint8_t> settled_;  // bits whose flip is known not to raise the fitness now
   Marks touched_, near_;               // vertices and bits
   std::vector<std::uint32_t> region_, stamp_;
   std::uint32_t epoch_ = 0;

@@ -32,9 +32,8 @@ CandidateGroups group_candidates(const Candidates& candidates) {
     std::sort(group.begin(), group.end(), before);
     for (std::uint32_t k = 0; k < group.size(); ++k) groups.place[group[k]] = k;
   }
-  std::sort(groups.all.begin(), groups.all.end(), [&](const CandidateGroup& a, const CandidateGroup& b) {
-    return before(a[0], b[0]);
-  });
+  std::sort(groups.all.begin(), groups.all.end(),
+            [&](const CandidateGroup& a, const CandidateGroup& b) { return before(a[0], b[0]); });
   return groups;
 }
 

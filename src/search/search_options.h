@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the genetic search is given.
+// Options of the genetic search.
 #pragma once
 
 #include <limits>
@@ -11,10 +11,9 @@ namespace rimline {
 
 struct SearchOptions {
   int population = 12;   // chromosomes per group of candidate triangles [option]
-  int generations = 30;  // most of them; a group stops where all agree. 0 leaves the greedy choice [option]
-  double doubtful =
-      model::candidate_least;  // least log_ratio of a triangle that is doubtful where the rim reaches it
-  // Or its least log_odds_alone().
+  int generations = 30;  // at most; a group stops when all members agree. 0: the greedy selection [option]
+  double doubtful = model::candidate_least;  // least log_ratio of a candidate at the rim
+  // A triangle at the rim whose log_odds_alone() is larger is a candidate whatever its size.
   double least_odds = std::numeric_limits<double>::infinity();
   FitnessWeights weights;
 };

@@ -30,7 +30,7 @@ SearchOptions options_for(const SamplingProfile& sampling, const BoundaryLoopOpt
   return o;
 }
 
-// For the search for single ears, once the openings are open.
+// For the search for ears, after the openings are found.
 SearchOptions along_rims(const SearchOptions& first) {
   SearchOptions o = first;
   o.least_odds = model::candidate_least_odds;
@@ -51,15 +51,15 @@ SelectionSummary added(SelectionSummary summary, const SearchResult& found) {
   return summary;
 }
 
-// What two searches over all that is proposed find.
+// Result of the two searches over all proposed triangles.
 struct FirstFound {
   Selection selection;
-  std::vector<double> even;  // how even rims are at each point, where that is known
+  std::vector<double> even;  // evenness of the rim at each point, or empty
   SelectionSummary summary;
 };
 
-// Rims that turn out to be even all along are likely so where they seem not to be: looked for once more, with
-// that known. Noise blurs what is even.
+// A rim that is even nearly everywhere is likely even in the rest, so a second search takes evenness as
+// known. Not under noise, which makes even rims uneven.
 FirstFound search_twice(const SelectionSearch& search, const TriangleSet& set, bool tells_even,
                         const SearchOptions& options, const Run& run) {
   SelectionSummary summary;
@@ -110,8 +110,7 @@ SelectedSurface select(TriangleSet set, const Samples& samples, const SamplingPr
   FirstFound first =
       search_twice(SelectionSearch(set, sizes, samples, find_excluded(set, samples, sampling, run), o, run),
                    set, sampling.noise.noise == 0, o, run);
-  // The large triangles that are gone had turned edges of the rim; with them out of the way the ears they
-  // leave can be seen for what they are, so the search looks again.
+  // Large triangles that are left out had hidden ears of the rim. The search runs again without them.
   std::vector<std::uint8_t> changed = points_of_others(set, first.selection, run);
   set.keep_only(first.selection, run);
   const Index before = set.size();

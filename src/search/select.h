@@ -14,20 +14,20 @@
 namespace rimline {
 
 struct SelectedSurface {
-  TriangleSet set;      // the proposed triangles but for some that are out, and missing ears
+  TriangleSet set;      // the proposed triangles, without some that were left out, with missing ears
   Selection selection;  // of these
   SelectionSummary summary;
 };
 
-// The genetic search (search/selection_search.h), four times over: first as nothing is known of the rims;
-// then again where they turned out to be even; then, the large triangles out of the way and missing ears
-// filled, once more over what is left; and for single ears along its rims, with a fitness that was fitted
-// there, of which short runs are taken over. Of a range image all triangles are the surface.
+// Runs the genetic search (search/selection_search.h) four times: without knowledge of the rims; again where
+// the rims found are even; a third time after large triangles are removed and missing ears added; and for
+// ears along the rims, with weights of its own (RimFitnessModel), of which open_ears() takes over ears alone.
+// Of a range image all triangles are the surface.
 SelectedSurface select(TriangleSet proposed, const Samples& samples, const SamplingProfile& sampling,
                        const BoundaryLoopOptions& options, const Run& run);
 
-// Marks the points of rims that are no boundary, as all triangles stand: at creases and thin walls stars do
-// not agree and leave gaps, which the search would only tear open.
+// Marks the points on rims of all proposed triangles that are improbable as a boundary: at creases and thin
+// walls stars do not agree and leave gaps, which the search would make larger.
 std::vector<std::uint8_t> find_excluded(const TriangleSet& set, const Samples& samples,
                                         const SamplingProfile& sampling, const Run& run);
 

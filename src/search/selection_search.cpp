@@ -43,7 +43,7 @@ SearchResult SelectionSearch::find_again(const std::vector<double>& evenness, co
   return search(with(evenness), std::move(selected), is_even);
 }
 
-// The doubts where rims are even, or nothing is known of that.
+// The candidates with the evenness of rims, which may be empty.
 Candidates SelectionSearch::with(const std::vector<double>& evenness) const {
   Candidates candidates = candidates_;
   if (evenness.empty()) return candidates;
@@ -56,7 +56,7 @@ Candidates SelectionSearch::with(const std::vector<double>& evenness) const {
   return candidates;
 }
 
-// Searches the groups for which wanted(group), all of whose triangles are selected first.
+// Searches the groups for which wanted(group) is true. All their triangles must be selected at first.
 template <class Wanted>
 SearchResult SelectionSearch::search(const Candidates& candidates, Selection selected,
                                      const Wanted& wanted) const {

@@ -18,21 +18,21 @@ namespace rimline {
 
 struct SearchResult {
   Selection selected;
-  std::size_t doubtful = 0;  // triangles: the bits of all chromosomes
+  std::size_t doubtful = 0;  // candidate triangles: bits of a chromosome
   std::size_t groups = 0;
   double greedy = 0, best = 0;                     // fitness
   std::vector<double> history_best, history_mean;  // per generation, summed over the groups
 };
 
-// A chromosome says of each candidate triangle whether it is selected. The rim of any set of triangles is a
-// set of closed loops, so any chromosome is a closed boundary, and so is what crossover and mutation make of
-// it: exchanging triangles adds (modulo 2) the boundary of what was exchanged.
+// A chromosome has one bit per candidate triangle: selected or not. The boundary of any set of triangles is a
+// set of closed loops, so every chromosome is a closed boundary, also after crossover and mutation:
+// exchanging triangles adds their boundary modulo 2.
 //
-// Doubtful triangles that share no vertex with others of their group do not influence each other, so each
-// group has a population of its own.
+// Candidates of different groups share no vertex and do not influence each other, so each group has its own
+// population.
 //
-// Triangles at a vertex marked in `excluded` are not doubted: those around gaps that are no boundary. But
-// what is plainly too large is doubted there, too.
+// Triangles at a vertex marked in `excluded` (around gaps that are no boundary) are no candidates, unless
+// they are plainly too large.
 //
 // The set, which must stay as it is, and the run must outlive it.
 class SelectionSearch {
@@ -42,8 +42,8 @@ class SelectionSearch {
 
   // `evenness`: of a rim known before at each vertex, 0 to 1; 0 where it is on none. Empty: not known.
   SearchResult find(const std::vector<double>& evenness) const;
-  // Once more, with the evenness of the rim found `before`. Where no rim is even it would find the same,
-  // which is taken over.
+  // Searches again, with the evenness of the rims found `before`. Groups where no rim is even keep that
+  // result.
   SearchResult find_again(const std::vector<double>& evenness, const Selection& before) const;
 
  private:
