@@ -38,11 +38,7 @@ class Clock {
 // The main() of one that maps. Its time is from the clock's start to its return.
 using MapMethod = std::function<MapAnswer(const MeshToMap&, Clock&)>;
 inline int serve_maps(int argc, char** argv, const std::map<std::string, MapMethod>& methods) try {
-  if (argc != 4 || !methods.contains(argv[1])) {
-    std::fprintf(stderr, "usage: %s METHOD IN OUT, METHOD one of:\n", argv[0]);
-    for (const auto& [name, method] : methods) std::fprintf(stderr, "  %s\n", name.c_str());
-    return 1;
-  }
+  if (!is_known_method(argc, argv, methods)) return 1;
   std::ifstream in(argv[2], std::ios::binary);
   MeshToMap mesh;
   mesh.points = read_array<std::array<double, 3>>(in);

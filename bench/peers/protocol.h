@@ -64,14 +64,19 @@ inline Answer read_answer(const std::string& path) {
   return answer;
 }
 
+// Whether METHOD IN OUT were given and the method is one of these; prints the usage where not.
+template <class Methods>
+bool is_known_method(int argc, char** argv, const Methods& methods) {
+  if (argc == 4 && methods.contains(argv[1])) return true;
+  std::fprintf(stderr, "usage: %s METHOD IN OUT, METHOD one of:\n", argv[0]);
+  for (const auto& [name, method] : methods) std::fprintf(stderr, "  %s\n", name.c_str());
+  return false;
+}
+
 // The main() of a peer.
 using Method = std::function<Answer(const Coordinates&)>;
 inline int serve(int argc, char** argv, const std::map<std::string, Method>& methods) try {
-  if (argc != 4 || !methods.contains(argv[1])) {
-    std::fprintf(stderr, "usage: %s METHOD IN OUT, METHOD one of:\n", argv[0]);
-    for (const auto& [name, method] : methods) std::fprintf(stderr, "  %s\n", name.c_str());
-    return 1;
-  }
+  if (!is_known_method(argc, argv, methods)) return 1;
   std::ifstream in(argv[2], std::ios::binary);
   const auto points = read_array<std::array<double, 3>>(in);
   const auto start = std::chrono::steady_clock::now();

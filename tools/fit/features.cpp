@@ -5,14 +5,13 @@
 // The set has a property `boundary` (1 on a true loop, 0 not; points with other values are left out). Prints
 // one line for each measurement, comma-separated: the term, 1 or 0 as truth has it, then the measures of its
 // model:
-//   rims           points, thickness, empty ball      of each rim of all that is proposed: is it a boundary?
-//   ears           angle, log tail, jaggedness        of each triangle at a jagged boundary: is it a false
-//   ear? points_on      ear, chi, rim                      of each point of a likely rim: is it on the
-//   boundary? points_behind  ear, chi, rim                      of each point behind an edge of one: the same
-//   range_points   chi                                of each point on a rim of a range image: the same
-//   triangles      each term of the fitness           of each triangle along the rims: is it left out? Where
-//   the
-//                                                     true loops are in SET.loops.json
+//   rims           points, thickness, empty ball    each rim of all that is proposed: a boundary?
+//   ears           angle, log tail, jaggedness      each triangle at a jagged boundary: a false ear?
+//   points_on      ear, chi, rim                    each point of a likely rim: on the boundary?
+//   points_behind  ear, chi, rim                    each point behind an edge of one: the same
+//   range_points   chi                              each point on a rim of a range image: the same
+//   triangles      each term of the fitness         each triangle along the rims: left out?
+// The last one needs the true loops, in SET.loops.json.
 // At most a line a rim and four a point of a rim.
 #include <array>
 #include <cstdio>
