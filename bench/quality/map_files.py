@@ -5,8 +5,7 @@ import numpy as np
 KINDS = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4", "float": "f4", "double": "f8"}
 
 
-def read_mesh(path):
-    """Points (n, 3) and triangles (m, 3) of a binary PLY with one kind of face."""
+def _read_tables(path):
     data = open(path, "rb").read()
     start = data.index(b"end_header\n") + len(b"end_header\n")
     elements = []
@@ -27,9 +26,22 @@ def read_mesh(path):
         kind = np.dtype(row)
         tables[name] = np.frombuffer(data, kind, count, start)
         start += count * kind.itemsize
-    vertex = tables["vertex"]
-    points = np.stack([vertex[c].astype(float) for c in "xyz"], 1)
-    return points, tables["face"]["vertex_indices"].astype(np.int64)
+    return tables
+
+
+def _points_of(tables):
+    return np.stack([tables["vertex"][c].astype(float) for c in "xyz"], 1)
+
+
+def read_points(path):
+    """Points (n, 3) of a binary PLY."""
+    return _points_of(_read_tables(path))
+
+
+def read_mesh(path):
+    """Points (n, 3) and triangles (m, 3) of a binary PLY with one kind of face."""
+    tables = _read_tables(path)
+    return _points_of(tables), tables["face"]["vertex_indices"].astype(np.int64)
 
 
 def _write_array(file, values, kind):

@@ -10,6 +10,7 @@
 #include "clean/chains.h"
 #include "clean/off_surface.h"
 #include "clean/own_scale.h"
+#include "clean/sparse.h"
 #include "clean/usual_spacing.h"
 #include "points/kd_tree.h"
 #include "rimline/clean.h"
@@ -80,14 +81,19 @@ std::vector<Index> all_of(const StrayPoints& stray) {
 StrayPoints find_stray_points(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                               const Run& run) {
   if (points.size() < model::stray_fewest_points) return {};
+  // Sparse points would spoil all measures of the others, so they go first.
+  if (auto sparse = ids_of(lies_in_sparse_group(points, neighbours, spacing, run)); !sparse.empty())
+    return {{}, {}, std::move(sparse)};
   const std::vector<double> scale = usual_spacing(neighbours, spacing, run);
-  if (is_graded(scale)) return {};
+  const bool graded = is_graded(scale);
   std::optional<KdTree> tree;
-  const std::vector<char> off = confirmed(lies_off_surface(points, neighbours, scale, run), points,
-                                          neighbours, spacing, scale, tree, run);
+  const std::vector<char> off = graded ? std::vector<char>(points.size())
+                                       : confirmed(lies_off_surface(points, neighbours, scale, run), points,
+                                                   neighbours, spacing, scale, tree, run);
   const std::vector<char> on_line = lies_on_chain(points, neighbours, scale, off, run);
-  const std::vector<char> apart = confirmed(lies_apart(points, neighbours, scale, either(off, on_line), run),
-                                            points, neighbours, spacing, scale, tree, run);
+  const std::vector<char> apart =
+      confirmed(lies_apart(points, neighbours, scale, either(off, on_line), !graded, run), points, neighbours,
+                spacing, scale, tree, run);
   StrayPoints stray{ids_of(off), ids_of(on_line), ids_of(apart)};
   const auto most = static_cast<std::size_t>(model::stray_most_share * static_cast<double>(points.size()));
   return all_of(stray).size() > most ? StrayPoints{} : stray;

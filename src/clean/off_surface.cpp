@@ -30,7 +30,8 @@ double usual_deviation(Points points, const Neighbours& neighbours, const std::v
 
 // Whether the surface is complete without the point: it continues around its foot, without a gap.
 bool is_whole(const SurfaceFit& fit) {
-  return fit.nearest < model::stray_redundant && fit.gap < model::stray_gap;
+  const double near = fit.height > model::stray_high ? model::stray_redundant_high : model::stray_redundant;
+  return fit.nearest < near && fit.gap < model::stray_gap;
 }
 
 // Whether the point is off a surface that its neighbours tell.

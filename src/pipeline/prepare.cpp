@@ -2,6 +2,7 @@
 #include "pipeline/prepare.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/domain_traits.h"
@@ -11,6 +12,8 @@
 
 namespace rimline::pipeline {
 namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void check_corners(Points input, const ParameterizeOptions& map) {
   if (map.corners[0] == none) return;
@@ -46,17 +49,30 @@ StrayPoints without_given(StrayPoints stray, const Arrangement& arrangement, con
   return stray;
 }
 
+// The arrangement of the points that are left, as if there had been no others: places and numbers that depend
+// on the whole, as the origin, do not tell of what was removed.
+Arrangement arrange_again(Points input, Arrangement arrangement, const Run& run) {
+  std::vector<Point> left(input.size(), Point{nan, nan, nan});
+  for (const Index id : arrangement.ids) left[id] = input[id];
+  Arrangement again = arrange(left, run);
+  again.not_finite = std::move(arrangement.not_finite);
+  again.duplicates = std::move(arrangement.duplicates);
+  again.stray = std::move(arrangement.stray);
+  return again;
+}
+
 // Removes stray points until none is found, and finds the neighbours of the others. Some can be found only
 // after those beside them were removed.
-Sampled without_stray_points(Sampled sampled, int k, const std::vector<Loop>& given, const Run& run) {
-  constexpr int most_rounds = 4;
+Sampled without_stray_points(Sampled sampled, Points input, int k, const std::vector<Loop>& given,
+                             const Run& run) {
+  constexpr int most_rounds = 6;
   for (int round = 0; round < most_rounds; ++round) {
     const auto& [arrangement, neighbours, spacing] = sampled;
     const StrayPoints stray =
         without_given(find_stray_points(arrangement.points, neighbours, spacing, run), arrangement, given);
     if (stray.empty()) break;
     leave_out(sampled.arrangement, all_of(stray));
-    sampled = with_neighbours(std::move(sampled.arrangement), k, run);
+    sampled = with_neighbours(arrange_again(input, std::move(sampled.arrangement), run), k, run);
   }
   return sampled;
 }
@@ -79,9 +95,9 @@ PreparedPoints prepare(Points input, const Options& options, const Given& given,
   clock.enter(Stage::Neighbours);
   Sampled sampled = with_neighbours(std::move(arrangement), k, run);
   if (leave_out_stray(sampled.arrangement, sampled.neighbours, run))
-    sampled = with_neighbours(std::move(sampled.arrangement), k, run);
+    sampled = with_neighbours(arrange_again(input, std::move(sampled.arrangement), run), k, run);
   if (counts(UsedBy::Default, options))
-    sampled = without_stray_points(std::move(sampled), k, given.loops, run);
+    sampled = without_stray_points(std::move(sampled), input, k, given.loops, run);
   const SpacingSummary summary = summarize_spacing(sampled.spacing, run);
   return {input, std::move(sampled.arrangement), std::move(sampled.neighbours), std::move(sampled.spacing),
           summary};

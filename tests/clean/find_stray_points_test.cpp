@@ -128,12 +128,30 @@ TEST_CASE("a strip two points wide, rows far apart, a dense rim, and a second sh
   for (const auto* points : {&strip, &rows, &sheets, &dense}) CHECK(stray_of(*points).empty());
 }
 
+TEST_CASE("outliers that are one another's neighbours are found; a coarse part of a surface is none") {
+  const auto clean = sampled(Shape::WavySaddle, Sampling::BlueNoise);
+  auto points = clean;
+  Random random(9);
+  for (int i = 0; i < 75; ++i) points.push_back(8.0 * in_box(random) + Point{0, 0, 6});
+  const auto result = reconstruct(points, preset_options(Preset::Default), {});
+  CHECK(result.boundary.report.points.stray == 75);
+  CHECK(result.triangles == reconstruct(clean, preset_options(Preset::Default), {}).triangles);
+  std::vector<Point> graded;  // a plane whose spacing changes sixfold at a line
+  for (int i = 0; i < 60; ++i) {
+    for (int j = 0; j < 60; ++j) graded.push_back({1.0 * i, 1.0 * j + 0.5 * (i % 2), 0});
+  }
+  for (int i = 0; i < 7; ++i) {
+    for (int j = 0; j < 10; ++j) graded.push_back({63.0 + 6 * i, 6.0 * j + 3 * (i % 2), 0});
+  }
+  CHECK(stray_of(graded).empty());
+}
+
 TEST_CASE("moving, scaling and permuting the points changes nothing") {
   auto points = sampled(Shape::WavySaddle, Sampling::BlueNoise);
   Random random(5);
   for (int i = 0; i < 40; ++i) points.push_back(in_box(random));
   const std::vector<Index> expected = all_of(stray_of(points));
-  CHECK(expected.size() > 25);
+  CHECK(expected.size() > 15);  // of a first round, which leaves others to the next
   std::vector<Point> other(points.rbegin(), points.rend());
   for (Point& p : other) p = 8.0 * p + Point{64, -32, 128};
   std::vector<Index> found = all_of(stray_of(other));
@@ -158,8 +176,6 @@ TEST_CASE("outliers in the box change neither loop nor mesh of the surface") {
     const std::vector<Index> stray = all_of(stray_of(points));
     CHECK(std::ranges::none_of(stray, [&](Index i) { return static_cast<std::size_t>(i) < clean.size(); }));
     const auto result = reconstruct(points, options, {});
-    CHECK(result.boundary.report.points.stray >= static_cast<std::size_t>(0.9 * count));
-    if (count > 30) continue;  // so many that some lie beside each other
     CHECK(result.boundary.report.points.stray == static_cast<std::size_t>(count));
     CHECK(triangles_before(result.triangles, clean.size()) == wanted);
     REQUIRE(result.boundary.loops.size() == expected.boundary.loops.size());
