@@ -50,6 +50,7 @@ void catch_interrupts() {
   handle(SIGINT, on_interrupt);
   handle(SIGTERM, on_interrupt);
   if (!is_ignored(SIGHUP)) handle(SIGHUP, on_interrupt);  // nohup ignores it
+  handle(SIGXCPU, on_interrupt);
   handle(SIGALRM, on_deadline);
   handle(SIGPIPE, SIG_IGN);
   handle(SIGXFSZ, SIG_IGN);

@@ -66,6 +66,13 @@ class OffReader {
       source_.fail_at_line(line.data(),
                            "expected the numbers of vertices, faces and edges, found " + quoted(row.rest()));
     }
+    double of_faces_or_edges = 0;
+    for (int i = 0; i < 2 && row.read(of_faces_or_edges);) ++i;
+    if (!row.done() && *row.at() != '#') {
+      source_.fail_at_line(line.data(),
+                           "expected no more than the numbers of vertices, faces and edges, found " +
+                               quoted(row.word()) + " after them; put # before a comment");
+    }
     return count;
   }
 

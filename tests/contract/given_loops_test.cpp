@@ -42,8 +42,9 @@ json ring(int low, int high) {
 Finished reconstruct_with(const Folder& folder, const json& loops, const Names& more = {}) {
   write_file(folder / "grid.xyz", grid());
   write_file(folder / "loops.json", json{{"loops", loops}}.dump());
-  Names arguments = {"reconstruct", folder / "grid.xyz", "-o",        folder / "mesh.ply", "--use-loops",
-                     folder / "loops.json", "--loops", folder / "out.json", "--report", folder / "report.json"};
+  Names arguments = {"reconstruct", folder / "grid.xyz",   "-o",      folder / "mesh.ply",
+                     "--use-loops", folder / "loops.json", "--loops", folder / "out.json",
+                     "--report",    folder / "report.json"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return run({.arguments = arguments});
 }
@@ -61,6 +62,15 @@ TEST_CASE("given loops that share points are refused with the ids, and nothing i
     CHECK(contains(refused.err, "(2 points: 0, 2)"));
     CHECK(folder.names() == Names{"grid.xyz", "loops.json"});
   }
+}
+
+TEST_CASE("where a file of loops holds none, they are looked for, and that is said") {
+  const Folder folder;
+  const Finished done = reconstruct_with(folder, json::array());
+  CAPTURE(done.err);
+  CHECK(done.status == 0);
+  CHECK(contains(read_file(folder / "report.json"), "loops.json: has no loops, so they are looked for"));
+  CHECK(json::parse(read_file(folder / "out.json"))["loops"].size() == 1);
 }
 
 TEST_CASE("a given loop that passes a point twice is refused with the id") {

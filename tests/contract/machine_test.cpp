@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A machine that refuses: no threads, no address space, no standard streams, a terminal that hangs up. And what
-// stands where an output is to go.
+// A machine that refuses: no threads, no address space, no standard streams, a terminal that hangs up. And
+// what stands where an output is to go.
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,6 +9,7 @@
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tool.h"
 
@@ -42,9 +43,9 @@ TEST_CASE("a user who may make no thread gets the same bytes from one") {
   REQUIRE(free.status == 0);
   for (const std::string threads : {"0", "1", "8"}) {
     const std::string mesh = folder / ("held" + threads + ".ply"), report = folder / "report.json";
-    const Finished held = run({.arguments = {"reconstruct", input, "-o", mesh, "--threads", threads,
-                                             "--report", report},
-                               .no_threads = true});
+    const Finished held =
+        run({.arguments = {"reconstruct", input, "-o", mesh, "--threads", threads, "--report", report},
+             .no_threads = true});
     if (held.status == 126 || held.status == 127) {
       MESSAGE("skipped: the user nobody can not run the tool");
       return;
@@ -65,8 +66,7 @@ TEST_CASE("whatever the address space, the tool ends with the same bytes or with
   int done = 0, refused = 0;
   for (std::size_t megabytes = 16; megabytes <= 96; megabytes += 4) {
     const std::string mesh = folder / "held.ply";
-    const Finished held =
-        run({.arguments = {"reconstruct", input, "-o", mesh}, .memory = megabytes << 20});
+    const Finished held = run({.arguments = {"reconstruct", input, "-o", mesh}, .memory = megabytes << 20});
     if (held.status == 127) continue;  // not even the libraries fit
     CAPTURE(megabytes);
     CAPTURE(held.err);
@@ -101,8 +101,10 @@ TEST_CASE("with its standard streams closed the tool writes the same files, and 
   const Folder folder;
   const std::string input = sample(folder, "flat-disc", "2000");
   const auto arguments = [&](const std::string& name) {
-    return Names{"reconstruct", input, "-o", folder / (name + ".ply"), "--loops", folder / (name + ".json"),
-                 "--picture", folder / (name + ".svg")};
+    return Names{"reconstruct", input,
+                 "-o",          folder / (name + ".ply"),
+                 "--loops",     folder / (name + ".json"),
+                 "--picture",   folder / (name + ".svg")};
   };
   REQUIRE(rimline::test::rimline(arguments("open")).status == 0);
   REQUIRE(run({.arguments = arguments("closed"), .closed_streams = true}).status == 0);
@@ -113,20 +115,26 @@ TEST_CASE("with its standard streams closed the tool writes the same files, and 
   CHECK(run({.arguments = {"boundary", input, "-o", "-"}, .closed_streams = true}).status == 4);
   CHECK(run({.arguments = {"info", "-"}, .closed_streams = true}).status == 2);
   CHECK(run({.arguments = {"info", "--no-such-flag"}, .closed_streams = true}).status == 1);
-  CHECK(run({.arguments = {"sample", "flat-disc", "-n", "50", "-o", folder / "s.ply"}, .closed_streams = true})
-            .status == 0);
+  CHECK(
+      run({.arguments = {"sample", "flat-disc", "-n", "50", "-o", folder / "s.ply"}, .closed_streams = true})
+          .status == 0);
 }
 
-TEST_CASE("a terminal that hangs up leaves no file, or whole ones where all was written before") {
+TEST_CASE(
+    "a terminal that hangs up and a limit of CPU time leave no file, or whole ones where all was written "
+    "before") {
   const Folder folder;
   const std::string input = sample(folder, "bumpy-square", "60000");
-  for (const std::string stage : {"boundary", "write"}) {
+  for (const auto& [stage, signal] : std::vector<std::pair<std::string, int>>{
+           {"boundary", SIGHUP}, {"boundary", SIGXCPU}, {"write", SIGHUP}}) {
     const Finished stopped =
         run({.arguments = {"reconstruct", input, "-o", folder / "mesh.ply", "--loops", folder / "loops.json"},
              .terminal = true,
-             .signal = SIGHUP,
+             .signal = signal,
              .signals = stage == "write" ? 2 : 1,
-             .signal_when = [&](const std::string& err, bool) { return err.find(stage) != std::string::npos; }});
+             .signal_when = [&stage](const std::string& err, bool) {
+               return err.find(stage) != std::string::npos;
+             }});
     CAPTURE(stage);
     CAPTURE(stopped.err);
     if (stage == "write" && stopped.status == 0) {  // the signal came after the last file
@@ -144,7 +152,8 @@ TEST_CASE("an output that is a link is written where the link points, also where
   fs::create_symlink("far/new.ply", folder / "first.ply");
   fs::create_symlink("first.ply", folder / "link.ply");
   for (int round = 0; round < 2; ++round) {  // the first makes the file, the second replaces it
-    const Finished done = rimline::test::rimline({"sample", "flat-disc", "-n", "50", "-o", folder / "link.ply"});
+    const Finished done =
+        rimline::test::rimline({"sample", "flat-disc", "-n", "50", "-o", folder / "link.ply"});
     CAPTURE(done.err);
     REQUIRE(done.status == 0);
     CHECK(S_ISLNK(status_of(folder / "link.ply").st_mode));
@@ -161,8 +170,8 @@ TEST_CASE("an output that is a link is written where the link points, also where
     CHECK(refused.err.find(name) != std::string::npos);
     CHECK(S_ISLNK(status_of(folder / name).st_mode));
   }
-  const Finished same = rimline::test::rimline({"sample", "flat-disc", "-n", "50", "-o", folder / "link.ply",
-                                                "--truth", folder / "far/new.ply"});
+  const Finished same = rimline::test::rimline(
+      {"sample", "flat-disc", "-n", "50", "-o", folder / "link.ply", "--truth", folder / "far/new.ply"});
   CHECK(same.status == 1);
 }
 

@@ -135,6 +135,8 @@ TEST_CASE("what can not be read is named, each with its own remedy") {
   CHECK(contains(complaint("a.off", "OFF\n1000000000000 0 0\n1 2 3\n"), "at most 2147483646"));
   CHECK(contains(complaint("a.off", "OFF\n2 1 0\n1 2 3\n3 0 0 0\n"), "line 4: this vertex has 4 values"));
   CHECK(contains(complaint("a.off", "XOFF\n1 0 0\n1 2 3\n"), "unknown kind of OFF"));
+  CHECK(contains(complaint("a.off", "OFF 1 0 0 1 2 3\n"), "line 1: expected no more than the numbers"));
+  CHECK(contains(complaint("a.off", "OFF\n1 0 x\n1 2 3\n"), "found 'x' after them"));
   CHECK(contains(complaint("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2\n"),
                  "line 4: a vertex needs three numbers"));
   CHECK(contains(complaint("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\n"), "endsolid"));
