@@ -32,6 +32,8 @@ Inputs read_inputs(const MethodArguments& arguments, Session& session) {
   inputs.given.normals = inputs.cloud.normals();
   if (!arguments.use_loops.empty()) {
     inputs.given.loops = read_loops(arguments.use_loops, inputs.cloud.points.size(), session.run());
+    if (inputs.given.loops.empty())
+      inputs.cloud.warnings.push_back(arguments.use_loops + ": has no loops, so they are looked for");
   }
   if (!arguments.reference.empty()) {
     MeshFile reference = read_mesh(arguments.reference, session.run());
