@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rimline/given.h"
 #include "rimline/mesh.h"
 #include "rimline/neighbours.h"
 #include "rimline/options.h"
@@ -62,9 +63,10 @@ struct BoundaryLoops {
 // Loop::fitness is eq. (3) on the log score -log(1 - probability), with `length_exponent` as its exponent.
 BoundaryLoops find_boundary_loops(Points points, const Neighbours& neighbours, const BoundaryScores& scores,
                                   const BoundaryLoopOptions& options, double length_exponent, const Run& run);
-// The same, given the local_spacing() of the points.
+// The same, given the local_spacing() of the points, and the scanner's raster (Given::raster) where there is one.
 BoundaryLoops find_boundary_loops(Points points, const Neighbours& neighbours, std::vector<double> spacing,
                                   const BoundaryScores& scores, const BoundaryLoopOptions& options,
-                                  double length_exponent, const Run& run);
+                                  double length_exponent, const Run& run,
+                                  const std::vector<RasterCell>& raster = {});
 
 }  // namespace rimline

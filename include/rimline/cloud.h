@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rimline/given.h"
 #include "rimline/points.h"
 
 namespace rimline {
@@ -47,6 +48,9 @@ struct Cloud {
   const Column* find(std::string_view name) const;
   // One normal per point from the columns nx, ny, nz; empty where the cloud has none.
   std::vector<Point> normals() const;
+  // One cell per point from the columns `column` and `row`; empty where the cloud lacks one of these, a value is
+  // no id from 0, or the column `scan` tells of several scans.
+  std::vector<RasterCell> raster() const;
 };
 
 // Appends the column, or puts it in the place of the one with the same name.

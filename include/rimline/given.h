@@ -17,11 +17,20 @@ struct Reference {
   std::vector<Triangle> triangles;
 };
 
+// The place of a point in its scanner's raster, from 0. Columns follow each other as the scanner turns, rows
+// within a column.
+struct RasterCell {
+  Index column = 0, row = 0;
+};
+
 // What may come with the points; all may be empty.
 struct Given {
   std::vector<Point> normals;  // one per point; the mesh faces the side that most of them point to
   std::vector<Loop> loops;     // a boundary made by hand, used instead of finding one
   Reference reference;         // for reconstruct
+  // One per point, all of one scan; the preset `default` takes the triangles between neighbouring cells, where
+  // these fit the points (Cloud::raster).
+  std::vector<RasterCell> raster = {};
 };
 
 }  // namespace rimline

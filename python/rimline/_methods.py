@@ -10,7 +10,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Doubles, as_doubles, as_places, as_rows
 from ._docs import documented
-from ._files import Cloud
+from ._files import Cloud, file_columns
 from ._loops import as_loops
 from ._options import chosen, takes_options
 from ._progress import Run
@@ -25,8 +25,11 @@ def _given(
     loops: Optional[LoopsLike],
     reference: Optional[ReferenceLike] = None,
 ) -> dict[str, Any]:
-    """What may come with the points; the normals of a Cloud are its own."""
+    """What may come with the points; the normals and the raster of a Cloud are its own."""
     given: dict[str, Any] = {}
+    if isinstance(points, Cloud) and {"column", "row"} <= set(points.columns):
+        cells = {name: points.columns[name] for name in ("column", "row", "scan") if name in points.columns}
+        given["raster"] = file_columns(cells)
     if normals is None and isinstance(points, Cloud):
         normals = points.normals
     if normals is not None:

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "rimline/given.h"
 #include "rimline/mesh.h"
 #include "rimline/points.h"
 
@@ -56,6 +57,9 @@ static_assert(sizeof(Point) == 3 * sizeof(double) && sizeof(UV) == 2 * sizeof(do
 
 // Containers whose items the stubs call Any.
 using Dict = nb::typed<nb::dict, nb::str, nb::any>;
+
+// Cloud::raster() of the columns `column`, `row` and `scan`; in files.cpp.
+std::vector<RasterCell> raster_of(const Dict& columns, std::size_t rows);
 using Items = nb::typed<nb::list, nb::any>;
 using Several = nb::typed<nb::tuple, nb::any, nb::ellipsis>;
 

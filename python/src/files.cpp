@@ -71,6 +71,17 @@ std::vector<Column> columns_of(const Dict& columns, std::size_t rows) {
   return made;
 }
 
+}  // namespace
+
+std::vector<RasterCell> raster_of(const Dict& columns, std::size_t rows) {
+  Cloud cloud;
+  cloud.points.resize(rows);
+  cloud.columns = columns_of(columns, rows);
+  return cloud.raster();
+}
+
+namespace {
+
 // Coordinates as the file had them: floats where it had floats.
 nb::object give_points(Cloud& cloud) {
   if (cloud.coordinate_type != Scalar::Float32) return nb::cast(give(std::move(cloud.points)));

@@ -27,6 +27,8 @@ std::vector<Point> copied(const PointRows& rows) {
 Given given_of(const Dict& arguments, std::size_t point_count) {
   Given given;
   if (arguments.contains("normals")) given.normals = copied(nb::cast<PointRows>(arguments["normals"]));
+  if (arguments.contains("raster"))
+    given.raster = raster_of(nb::cast<Dict>(arguments["raster"]), point_count);
   if (arguments.contains("loops")) {
     given.loops = loops_from_python(nb::cast<nb::list>(arguments["loops"]), point_count);
   }

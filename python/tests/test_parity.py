@@ -78,6 +78,25 @@ def test_a_boundary_made_by_hand(scan: pathlib.Path, tool: Tool, tmp_path: pathl
     assert (tmp_path / "python.obj").read_bytes() == theirs.read_bytes()
 
 
+def test_the_raster_of_a_scanner(tool: Tool, tmp_path: pathlib.Path) -> None:
+    """A ball before a wall, seen by a scanner at the origin: columns of directions, as PTX has them."""
+    azimuth, elevation = np.meshgrid(np.arange(-20, 20) / 50, np.arange(-15, 15) / 50, indexing="ij")
+    seen = np.stack(
+        [np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)], axis=-1
+    ).reshape(-1, 3)
+    beside = 4 - (2 * seen[:, 0]) ** 2
+    on_ball = 2 * seen[:, 0] - np.sqrt(np.maximum(0, 0.09 - beside))
+    ranges = np.where(beside < 0.09, on_ball, 3 / seen[:, 0])
+    scan, theirs = tmp_path / "scan.ptx", tmp_path / "tool.ply"
+    head = "40\n30\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n"
+    scan.write_text(head + "".join(f"{x!r} {y!r} {z!r} 0.5\n" for x, y, z in (ranges[:, None] * seen).tolist()))
+    tool("reconstruct", scan, "-o", theirs, "-q")
+    result = rimline.reconstruct(rimline.read(scan))
+    result.save(tmp_path / "python.ply")
+    assert (tmp_path / "python.ply").read_bytes() == theirs.read_bytes()
+    assert sorted(loop.kind for loop in result.loops) == ["hole", "outer", "outer"]
+
+
 def test_samples(tool: Tool, tmp_path: pathlib.Path) -> None:
     truth = tmp_path / "truth.json"
     for shape in rimline.shapes():

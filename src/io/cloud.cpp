@@ -2,6 +2,7 @@
 #include "rimline/cloud.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -106,6 +107,23 @@ std::vector<Point> Cloud::normals() const {
     result[i] = {nx->value(id), ny->value(id), nz->value(id)};
   }
   return result;
+}
+
+std::vector<RasterCell> Cloud::raster() const {
+  constexpr double most = 2147483646;
+  const Column* column = find("column");
+  const Column* row = find("row");
+  const Column* scan = find("scan");
+  if (column == nullptr || row == nullptr || points.empty()) return {};
+  const auto is_id = [&](double value) { return value >= 0 && value <= most && value == std::floor(value); };
+  std::vector<RasterCell> cells(points.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto id = static_cast<Index>(i);
+    const double c = column->value(id), r = row->value(id);
+    if (!is_id(c) || !is_id(r) || (scan != nullptr && scan->value(id) != scan->value(0))) return {};
+    cells[i] = {static_cast<Index>(c), static_cast<Index>(r)};
+  }
+  return cells;
 }
 
 void set_column(Cloud& cloud, Column column) {

@@ -15,7 +15,7 @@
 #include "search/false_ears.h"
 #include "surface/measure_components.h"
 #include "surface/propose.h"
-#include "surface/range_image.h"
+#include "surface/scan_raster.h"
 
 namespace rimline {
 
@@ -77,9 +77,10 @@ BoundaryLoops find_boundary_loops(Points points, const Neighbours& neighbours, c
 
 BoundaryLoops find_boundary_loops(Points points, const Neighbours& neighbours, std::vector<double> spacing,
                                   const BoundaryScores& scores, const BoundaryLoopOptions& options,
-                                  double length_exponent, const Run& run) {
+                                  double length_exponent, const Run& run,
+                                  const std::vector<RasterCell>& raster) {
   check(points, options);
-  const auto image = find_range_image(points, neighbours, run);
+  const auto image = find_range_image(points, neighbours, raster, run);
   const auto sampling = image ? of_range_image() : profile_sampling(points, neighbours, spacing, run);
   const auto denoised = denoise(points, neighbours, sampling, run);
   const auto samples = denoised ? with_frames(denoised->points, denoised->neighbours, denoised->spacing, run)

@@ -28,12 +28,21 @@ Run with_clock(const Run& run, StageClock& clock) {
   return timed;
 }
 
+// In the order of the arrangement.
+std::vector<RasterCell> raster_of(const Given& given, const PreparedPoints& prepared) {
+  std::vector<RasterCell> cells;
+  if (given.raster.empty()) return cells;
+  for (const Index id : prepared.ids()) cells.push_back(given.raster[id]);
+  return cells;
+}
+
 FoundLoops find_all_loops(const PreparedPoints& prepared, const BoundaryScores& scores,
                           const Options& options, const Given& given, const Run& run, StageClock& clock) {
   clock.enter(Stage::Survey);
   BoundaryLoops survey = with_ids_of_input(prepared, [&] {
     return find_boundary_loops(prepared.points(), prepared.neighbours, prepared.spacing, scores,
-                               options.boundary_loops, options.loops.length_exponent, with_clock(run, clock));
+                               options.boundary_loops, options.loops.length_exponent, with_clock(run, clock),
+                               raster_of(given, prepared));
   });
   FoundLoops found;
   found.probability = std::move(survey.probability);

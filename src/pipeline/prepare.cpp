@@ -84,6 +84,9 @@ void check_input(Points input, const Options& options, const Given& given) {
   if (!given.normals.empty() && given.normals.size() != input.size()) {
     throw Error(ErrorCode::BadOption, "there must be one normal per point, or none");
   }
+  if (!given.raster.empty() && given.raster.size() != input.size()) {
+    throw Error(ErrorCode::BadOption, "there must be one cell of the raster per point, or none");
+  }
   check_given_loops(given.loops, input.size());
 }
 

@@ -16,7 +16,7 @@ namespace rimline {
 
 // A range image.
 struct RangeImage {
-  Point view;                       // unit length; its sign is arbitrary
+  Point view;                       // unit length; its sign is arbitrary. Zero where the scanner's raster told
   double step = 0;                  // between neighbours in a row, as seen, in the unit of the points
   std::vector<Triangle> triangles;  // between neighbouring samples
 };

@@ -30,6 +30,31 @@ TEST_CASE("a column gives back the smallest and the largest number of every type
   check_extremes<double>("double");
 }
 
+TEST_CASE("a raster is there where columns and rows are whole numbers from 0, of one scan") {
+  Cloud cloud;
+  cloud.points.resize(2);
+  CHECK(cloud.raster().empty());
+  set_column(cloud, make_column("column", std::vector<double>{3, 2147483646}));
+  CHECK(cloud.raster().empty());
+  set_column(cloud, make_column("row", std::vector<std::uint8_t>{7, 0}));
+  REQUIRE(cloud.raster().size() == 2);
+  CHECK(cloud.raster()[0].column == 3);
+  CHECK(cloud.raster()[0].row == 7);
+  CHECK(cloud.raster()[1].column == 2147483646);
+  set_column(cloud, make_column("scan", std::vector<std::uint16_t>{1, 1}));
+  CHECK(cloud.raster().size() == 2);
+  set_column(cloud, make_column("scan", std::vector<std::uint16_t>{0, 1}));
+  CHECK(cloud.raster().empty());
+  for (const double wrong : {-1.0, 0.5, 2147483647.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    Cloud other;
+    other.points.resize(2);
+    set_column(other, make_column("row", std::vector<double>{0, 1}));
+    set_column(other, make_column("column", std::vector<double>{0, wrong}));
+    CAPTURE(wrong);
+    CHECK(other.raster().empty());
+  }
+}
+
 TEST_CASE("a column that is set replaces the one of its name and keeps its place") {
   Cloud cloud;
   set_column(cloud, make_column("boundary", std::vector<double>{1}));

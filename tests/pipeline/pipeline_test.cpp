@@ -206,6 +206,9 @@ TEST_CASE("bad options and given loops are refused with their names") {
   Given given;
   given.loops.push_back({{0, 1, 999'999}});
   CHECK_THROWS_AS(find_boundary(disc.points, {}, {}, given), Error);
+  given = {};
+  given.raster.resize(disc.points.size() - 1);
+  CHECK_THROWS_AS(find_boundary(disc.points, {}, {}, given), Error);
 }
 
 TEST_CASE("the report tells the least delta, how many are small, and how many points are undersampled") {
