@@ -21,8 +21,8 @@ std::string points_line(const PointCounts& points) {
   return line("points", text);
 }
 
-std::string loop_lines(const std::vector<Loop>& loops) {
-  if (loops.empty()) return line("loops", "none");
+std::string loop_lines(const std::vector<Loop>& loops, bool is_closed) {
+  if (loops.empty()) return line("loops", is_closed ? "none: the surface is closed" : "none");
   std::string text;
   for (std::size_t i = 0; i < loops.size() && i < most_loops_listed; ++i) {
     text +=
@@ -139,7 +139,7 @@ std::string summary(const Report& report, const std::string& files, double secon
                                       report.spacing.least, report.spacing.most));
   text += line("candidates", with_commas(report.candidates));
   text += search_line(report.search);
-  text += loop_lines(report.loops);
+  text += loop_lines(report.loops, report.closed);
   if (report.has_map) text += map_line(report);
   if (report.has_mesh) {
     text += mesh_lines(report);

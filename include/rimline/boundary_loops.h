@@ -45,13 +45,15 @@ struct SelectionSummary {
 };
 
 struct BoundaryLoops {
-  std::vector<Loop> loops;         // by component, the outer one first, holes by falling length
+  std::vector<Loop> loops;     // by component, the outer one first, holes by falling length
+  std::vector<Loop> doubtful;  // gaps that were taken for none, but may be boundaries: the likeliest first
   std::vector<float> probability;  // per point, that it lies on a boundary, in [0, 1]
   std::vector<PointLabel> label;   // per point
   std::vector<SurfaceComponent> components;
   std::vector<Triangle>
       triangles;  // the surface that the loops bound, oriented per component; gaps are left open
   SelectionSummary search;
+  bool closed = false;      // there are no loops, and most points lie on closed surfaces
   bool range_scan = false;  // the points are a range image; those in no triangle are not on the surface
 };
 

@@ -98,6 +98,14 @@ struct MeshSummary {
   double mean_angle_distortion = 0;  // mean absolute difference of a corner's angle in 3D and in uv, radians
 };
 
+// A gap between triangles that was taken for no boundary, but may be one.
+struct DoubtfulGap {
+  std::size_t points = 0;  // on its rim
+  double length = 0;       // of its rim, in the unit of the input
+  double probability = 0;  // to be a boundary
+  Point place;             // mean of its points
+};
+
 // Distortion of angles, areas and lengths by the map. The map is scaled to the area of the surface before
 // areas and lengths are compared; means are weighted by the triangles' area in space.
 struct DistortionSummary {
@@ -192,6 +200,8 @@ struct Report {
   std::size_t candidates = 0;
   std::size_t undersampled = 0;  // candidates on no loop: the paper's map of undersampled regions
   std::vector<Loop> loops;
+  std::vector<DoubtfulGap> doubtful;  // preset `default`, the likeliest first
+  bool closed = false;  // preset `default`: there are no loops, and most points lie on closed surfaces
   SearchSummary search;
   bool has_map = false;
   MapSummary map;

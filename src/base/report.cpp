@@ -60,6 +60,17 @@ Json loops_json(const std::vector<Loop>& loops) {
   return json;
 }
 
+Json doubtful_json(const std::vector<DoubtfulGap>& gaps) {
+  Json json = Json::array();
+  for (const DoubtfulGap& gap : gaps) {
+    json.push_back({{"points", gap.points},
+                    {"length", gap.length},
+                    {"probability", gap.probability},
+                    {"place", {gap.place.x, gap.place.y, gap.place.z}}});
+  }
+  return json;
+}
+
 Json search_json(const Options& options, const SearchSummary& search) {
   Json best = Json::array(), mean = Json::array();
   for (const Generation& g : search.history) {
@@ -268,6 +279,8 @@ std::string to_json(const Report& report) {
   json["candidates"] = report.candidates;
   json["undersampled"] = report.undersampled;
   json["loops"] = loops_json(report.loops);
+  if (counts(UsedBy::Default, report.options)) json["closed"] = report.closed;
+  if (!report.doubtful.empty()) json["doubtful_gaps"] = doubtful_json(report.doubtful);
   json["search"] = search_json(report.options, report.search);
   if (report.has_map) {
     json["map"] = {{"kind", kinds_json(report)},

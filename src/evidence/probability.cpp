@@ -69,9 +69,10 @@ double thickness_of_opening(std::size_t points) {
 
 double no_gap(double isoperimetric_ratio) { return std::pow(std::min(1.0, isoperimetric_ratio), 2); }
 
-double range_image_loop_probability(std::size_t points) {
-  const double n = static_cast<double>(points);
-  return n / (n + model::range_rim_points);
+double range_image_loop_probability(std::size_t points, double one_sided) {
+  const model::RangeRimModel& m = model::range_rim;
+  const double size = std::log(std::min(static_cast<double>(points), m.most_points) / m.usual_points);
+  return logistic(m.constant + m.size * size + m.one_sided * one_sided);
 }
 
 double point_probability(double ear, bool on_rim, double chi_square_score, double loop_probability) {

@@ -43,9 +43,9 @@ double thickness_of_opening(std::size_t points);
 // vector area over that of a disc whose radius is the largest spacing on it; 1 from one disc on.
 double no_gap(double isoperimetric_ratio);
 
-// The same for a range image, which has a rim where a sample is missing or the depth jumps: one missing
-// sample (six points) may be a fault of the scanner.
-double range_image_loop_probability(std::size_t points);
+// The same for a range image, which has a rim where a sample is missing or the depth jumps: by the number of
+// its points and the mean length of their mean_direction(), which is small around one missing sample.
+double range_image_loop_probability(std::size_t points, double one_sided);
 
 // Probability of a point on a rim, or right behind it, to be on the boundary, by the log odds of its ear, its
 // chi-square score -log p, and the probability of the rim.

@@ -8,6 +8,7 @@
 #include "base/vec.h"
 #include "evidence/empty_ball.h"
 #include "evidence/probability.h"
+#include "local/mean_direction.h"
 
 namespace rimline {
 namespace {
@@ -50,6 +51,12 @@ std::vector<double> empty_balls(const std::vector<Index>& rim, const RimEvidence
 
 }  // namespace
 
+double mean_one_sided(const std::vector<Index>& rim, const Samples& samples) {
+  double sum = 0;
+  for (const Index id : rim) sum += norm(mean_direction(samples, id, model::side_neighbours));
+  return sum / static_cast<double>(rim.size());
+}
+
 RimMeasures measure_rim(const std::vector<Index>& rim, const RimEvidence& e, const Run& run) {
   std::vector<double> radii = empty_balls(rim, e, run);
   if (radii.empty()) return {};
@@ -64,7 +71,8 @@ RimMeasures measure_rim(const std::vector<Index>& rim, const RimEvidence& e, con
 }
 
 double rim_probability(const std::vector<Index>& rim, const RimEvidence& e, const Run& run) {
-  if (e.sampling.is_range_image) return range_image_loop_probability(rim.size());
+  if (e.sampling.is_range_image)
+    return range_image_loop_probability(rim.size(), mean_one_sided(rim, e.samples));
   const RimMeasures measures = measure_rim(rim, e, run);
   return measures.is_known ? loop_probability(rim.size(), measures.empty_ball, measures.thickness) : 0;
 }

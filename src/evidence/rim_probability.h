@@ -32,6 +32,9 @@ struct RimMeasures {
 };
 RimMeasures measure_rim(const std::vector<Index>& rim, const RimEvidence& evidence, const Run& run);
 
+// The same of a range image: mean length of the mean_direction() of the rim's points, 0 to 1.
+double mean_one_sided(const std::vector<Index>& rim, const Samples& samples);
+
 // Probability in [0, 1] that the surface ends at the rim, and not just the triangulation, at a crease or a
 // thin wall: by the number of its points, the empty balls beyond its edges and the thickness of the frames
 // along it.

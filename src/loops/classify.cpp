@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/model.h"
 #include "base/vec.h"
 #include "surface/measure_components.h"
 
@@ -68,6 +69,29 @@ Index largest_component(const std::vector<Loop>& boundaries,
 }
 
 }  // namespace
+
+std::vector<Loop> doubtful_gaps(const std::vector<Loop>& gaps,
+                                const std::vector<SurfaceComponent>& components,
+                                const BoundaryLoopOptions& options) {
+  BoundaryLoopOptions wider = options;
+  wider.min_probability = std::min(model::doubtful_gap, options.min_probability);
+  wider.min_loop = std::min(model::doubtful_least, options.min_loop);
+  std::vector<Loop> found;
+  for (const Loop& gap : gaps) {
+    if (!is_boundary(gap, components, options) && is_boundary(gap, components, wider)) found.push_back(gap);
+  }
+  std::sort(found.begin(), found.end(), [](const Loop& a, const Loop& b) {
+    return std::tuple(-a.probability, -a.length, a.points) < std::tuple(-b.probability, -b.length, b.points);
+  });
+  return found;
+}
+
+bool is_closed(const std::vector<Loop>& boundaries, const std::vector<Loop>& doubtful,
+               const std::vector<SurfaceComponent>& components, std::size_t points) {
+  std::size_t on_surfaces = 0;
+  for (const SurfaceComponent& c : components) on_surfaces += is_surface(c) ? c.points : 0;
+  return boundaries.empty() && doubtful.empty() && 2 * on_surfaces > points;
+}
 
 ClassifiedLoops classify_loops(const std::vector<Loop>& loops,
                                const std::vector<SurfaceComponent>& components, const RimEvidence& evidence,

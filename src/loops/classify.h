@@ -20,4 +20,14 @@ ClassifiedLoops classify_loops(const std::vector<Loop>& loops,
                                const std::vector<SurfaceComponent>& components, const RimEvidence& evidence,
                                const BoundaryLoopOptions& options);
 
+// The gaps that would be boundaries by less strict options (model::doubtful_gap, model::doubtful_least): the
+// likeliest first.
+std::vector<Loop> doubtful_gaps(const std::vector<Loop>& gaps,
+                                const std::vector<SurfaceComponent>& components,
+                                const BoundaryLoopOptions& options);
+
+// Whether most of so many points lie on closed surfaces: neither boundaries nor doubtful gaps were found.
+bool is_closed(const std::vector<Loop>& boundaries, const std::vector<Loop>& doubtful,
+               const std::vector<SurfaceComponent>& components, std::size_t points);
+
 }  // namespace rimline

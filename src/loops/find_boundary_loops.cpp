@@ -99,6 +99,7 @@ BoundaryLoops find_boundary_loops(Points points, const Neighbours& neighbours, s
   const RimEvidence evidence{surface.set, selection, behind, samples, sampling};
   const auto rims = trace_loops(evidence, parts, run);
   const auto [boundaries, gaps] = classify_loops(rims, components, evidence, options);
+  const auto doubtful = doubtful_gaps(gaps, components, options);
   const auto rated = rate_points(rims, evidence, sizes, corners, scores);
   const auto [loops, smoothed] = smooth_loops(boundaries, rated, evidence, run);
   const auto probability = sampling.is_range_image ? smoothed : raise_at_cuts(smoothed, loops, samples);
@@ -106,11 +107,13 @@ BoundaryLoops find_boundary_loops(Points points, const Neighbours& neighbours, s
       label_loops(label_stray_points(surface.set, parts, components, run), loops, gaps, samples.frames);
 
   return {with_lengths(with_fitness(loops, probability, length_exponent), points),
+          doubtful,
           probability,
           label,
           with_loop_counts(components, boundaries),
           KeptItems(selection, Stage::Loops, run).of(surface.set.triangles()),
           surface.summary,
+          is_closed(boundaries, doubtful, components, points.size()),
           sampling.is_range_image};
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The default method in place of sections 3 and 5: all loops of all components, each component a patch.
 // [ours]
+#include "base/vec.h"
 #include "pipeline/given_loops.h"
 #include "pipeline/loop_kinds.h"
 #include "pipeline/mesh_patches.h"
 #include "pipeline/method.h"
+#include "pipeline/warnings.h"
 
 namespace rimline::pipeline {
 namespace {
@@ -16,6 +18,17 @@ SearchSummary summarize(SelectionSummary search) {
   summary.greedy_fitness = search.greedy;
   summary.history = std::move(search.history);
   return summary;
+}
+
+std::vector<DoubtfulGap> with_places(const std::vector<Loop>& gaps, const std::vector<Point>& points) {
+  std::vector<DoubtfulGap> found;
+  for (const Loop& gap : gaps) {
+    Point place;
+    for (const Index v : gap.points)
+      place = place + (1.0 / static_cast<double>(gap.points.size())) * points[v];
+    found.push_back({gap.points.size(), gap.length, gap.probability, place});
+  }
+  return found;
 }
 
 // The search reports its progress as two stages; this tells the clock where the first of them ends.
@@ -53,12 +66,16 @@ FoundLoops find_all_loops(const PreparedPoints& prepared, const BoundaryScores& 
     found.label = label_boundary(std::move(survey.label), found.loops);
     return found;
   }
+  found.doubtful = with_places(survey.doubtful, prepared.points());
+  found.closed = survey.closed;
+  if (survey.loops.empty() && !found.closed)
+    found.warnings = {"no loop was found: the surface is closed, or its boundary can not be told"};
+  for (std::string& warning : warn_of_doubtful(found.doubtful, options.boundary_loops))
+    found.warnings.push_back(std::move(warning));
   found.loops = std::move(survey.loops);
   found.label = std::move(survey.label);
   found.surface = std::move(survey.triangles);
   found.range_scan = survey.range_scan;
-  if (found.loops.empty())
-    found.warnings = {"no loop was found: the surface is closed, or its boundary can not be told"};
   return found;
 }
 

@@ -15,10 +15,12 @@ namespace rimline::pipeline {
 // The loops, and further results of their search.
 struct FoundLoops {
   std::vector<Loop> loops;
-  std::vector<float> probability;  // per point; of the default method
-  std::vector<PointLabel> label;   // per point; of the default method
-  std::vector<Triangle> surface;   // that the loops were found on; of the default method
-  bool range_scan = false;         // BoundaryLoops::range_scan
+  std::vector<DoubtfulGap> doubtful;  // of the default method
+  std::vector<float> probability;     // per point; of the default method
+  std::vector<PointLabel> label;      // per point; of the default method
+  std::vector<Triangle> surface;      // that the loops were found on; of the default method
+  bool range_scan = false;            // BoundaryLoops::range_scan
+  bool closed = false;                // there are no loops, and most points lie on closed surfaces
   SearchSummary search;
   std::vector<Index> winner;  // the winning chromosome; of the paper's
   SearchHistory history;      // likewise

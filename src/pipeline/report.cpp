@@ -41,6 +41,8 @@ Report report_boundary(const PreparedPoints& prepared, const BoundaryScores& sco
   report.assumptions = summarize_assumptions(scores, k, options.boundary.sectors);
   report.candidates = std::count(scores.candidate.begin(), scores.candidate.end(), 1);
   report.search = found.search;
+  report.doubtful = found.doubtful;
+  report.closed = found.closed;
   append(report.warnings, warn_of_assumptions(report.assumptions, k, options.boundary.sectors));
   append(report.warnings, found.warnings);
   return report;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/domain_traits.h"
 
@@ -61,6 +62,23 @@ std::vector<std::string> warn_of_components(const std::vector<PatchReport>& patc
                                 tell_of_repairs(patches)};
   std::erase(told, "");
   return told;
+}
+
+std::vector<std::string> warn_of_doubtful(const std::vector<DoubtfulGap>& gaps,
+                                          const BoundaryLoopOptions& options) {
+  if (gaps.empty()) return {};
+  const DoubtfulGap& first = gaps.front();
+  const std::string which =
+      gaps.size() == 1 ? "a gap" : fmt::format("{} gaps may be boundaries, the likeliest", gaps.size());
+  std::string remedy;
+  if (first.probability < options.min_probability)
+    remedy += fmt::format(" --min-probability {:.2f}", std::floor(100 * first.probability) / 100);
+  if (first.points < static_cast<std::size_t>(options.min_loop))
+    remedy += fmt::format(" --min-loop {}", first.points);
+  return {fmt::format(
+      "{} of {} points near {:.6g} {:.6g} {:.6g} is a boundary with probability {:.2f};{} returns "
+      "it as a loop",
+      which, first.points, first.place.x, first.place.y, first.place.z, first.probability, remedy)};
 }
 
 std::vector<std::string> warn_of_maps(const std::vector<ComponentSummary>& components, Domain wanted) {

@@ -13,6 +13,10 @@ namespace rimline::pipeline {
 // Components that are suspect, failed or were repaired.
 std::vector<std::string> warn_of_components(const std::vector<PatchReport>& patches);
 
+// Gaps that may be boundaries.
+std::vector<std::string> warn_of_doubtful(const std::vector<DoubtfulGap>& gaps,
+                                          const BoundaryLoopOptions& options);
+
 // Components that have another map than the one wanted, or none.
 std::vector<std::string> warn_of_maps(const std::vector<ComponentSummary>& components, Domain wanted);
 

@@ -6,33 +6,17 @@
 
 #include "base/model.h"
 #include "base/vec.h"
+#include "local/mean_direction.h"
 
 namespace rimline {
 namespace {
-
-// The direction of a vector along the tangent plane; 0 where it has none.
-Point tangent_direction(const Point& vector, const Point& normal) {
-  const Point along = vector - dot(vector, normal) * normal;
-  const double length = norm(along);
-  return length > 0 ? (1 / length) * along : Point{};
-}
-
-// The mean direction from a point to its nearest neighbours.
-Point mean_direction(const Samples& samples, Index point) {
-  const int count = std::min(model::side_neighbours, samples.neighbours.k);
-  Point sum;
-  for (const Index i : samples.neighbours.of(point, count)) {
-    sum = sum + tangent_direction(samples.points[i] - samples.points[point], samples.frames[point].normal);
-  }
-  return (1.0 / count) * sum;
-}
 
 TriangleSides measure_sides(const Samples& samples, const Triangle& x) {
   const Points p = samples.points;
   const Point centroid = (1.0 / 3) * (p[x[0]] + p[x[1]] + p[x[2]]);
   TriangleSides sides{0, 1, 0, 1};
   for (const Index v : x) {
-    const Point mean = mean_direction(samples, v);
+    const Point mean = mean_direction(samples, v, model::side_neighbours);
     const double length = norm(mean);
     const double toward = dot(mean, tangent_direction(centroid - p[v], samples.frames[v].normal));
     sides.one_sided += length / 3;

@@ -9,10 +9,7 @@
 
 namespace rimline {
 
-// Where the neighbours of a triangle's corners lie, each seen from its corner along the tangent plane there:
-// the mean of the unit vectors to the nearest of them. Its length is Rayleigh's statistic of uniform
-// directions (Mardia and Jupp, Directional Statistics, 2000): 0 where neighbours are all around, 2 / pi in
-// the middle of a straight boundary.
+// Where the neighbours of a triangle's corners lie: the mean_direction() at each.
 struct TriangleSides {
   double one_sided = 0, least_one_sided = 0;  // the length: mean and least of the corners
   double toward = 0, least_toward = 0;  // its component along the direction to the triangle's centroid: the

@@ -62,7 +62,9 @@ std::vector<Coefficient> coefficients() {
   std::vector<Coefficient> found;
   std::string comment;
   std::vector<std::string> lines = lines_of(root / "src/base/model.h");
-  for (const std::string& line : lines_of(root / "src/base/model_clean.h")) lines.push_back(line);
+  for (const char* more : {"src/base/model_search.h", "src/base/model_clean.h"}) {
+    for (const std::string& line : lines_of(root / more)) lines.push_back(line);
+  }
   for (const std::string& line : lines) {
     std::smatch match;
     const std::size_t text = line.find("// ");

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "base/model.h"
 #include "base/random.h"
 #include "rimline/arrange.h"
 #include "rimline/boundary_loops.h"
@@ -145,6 +146,18 @@ TEST_CASE("a closed sphere has no loop") {
   CHECK(found.loops.empty());
   REQUIRE(found.survey.components.size() == 1);
   CHECK(found.survey.components[0].euler == 2);
+}
+
+TEST_CASE("what a stricter bound takes for no boundary is doubtful, the likeliest first") {
+  const std::vector<Point> points = make(Shape::Pipe, Sampling::BlueNoise, 1500).points;
+  CHECK(find_loops(points).survey.doubtful.empty());
+  BoundaryLoopOptions strict;
+  strict.min_probability = 1;
+  const BoundaryLoops none = find_loops(points, strict).survey;
+  CHECK(none.loops.empty());
+  REQUIRE(none.doubtful.size() == 2);
+  CHECK(none.doubtful[0].probability >= none.doubtful[1].probability);
+  CHECK(none.doubtful[1].probability >= model::doubtful_gap);
 }
 
 TEST_CASE("a handle and a one-sided surface are told by the components") {

@@ -11,6 +11,7 @@
 #include "base/random.h"
 #include "mesh/edges.h"
 #include "rimline/arrange.h"
+#include "rimline/sample.h"
 #include "shapes.h"
 
 namespace rimline {
@@ -269,6 +270,26 @@ TEST_CASE("a warning is given where k / r is below 5") {
   CHECK_FALSE(report.assumptions.chi_square_valid);
   CHECK(report.assumptions.points_per_sector == 4);
   CHECK(report.warnings.size() == 1);
+}
+
+TEST_CASE(
+    "a closed surface is told without a warning, a doubtful gap with its place and the way to take it") {
+  SampleOptions sampled;
+  sampled.shape = Shape::ClosedSphere;
+  sampled.n = 2000;
+  const auto sphere = sample(sampled, {});
+  const Report closed = find_boundary(sphere.points, {}, {}).report;
+  CHECK(closed.closed);
+  CHECK(closed.warnings.empty());
+
+  Options strict;
+  strict.boundary_loops.min_probability = 1;
+  const Report open = find_boundary(shapes::disc(14).points, strict, {}).report;
+  CHECK_FALSE(open.closed);
+  REQUIRE(open.doubtful.size() == 1);
+  CHECK(norm(open.doubtful[0].place) < 0.1);
+  REQUIRE(open.warnings.size() == 2);
+  CHECK(open.warnings[1].find("--min-probability 0.") != std::string::npos);
 }
 
 TEST_CASE("cancelling at the third report of a stage ends there") {

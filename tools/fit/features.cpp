@@ -9,6 +9,7 @@
 //   ears           angle, log tail, jaggedness      each triangle at a jagged boundary: a false ear?
 //   points_on      ear, chi, rim                    each point of a likely rim: on the boundary?
 //   points_behind  ear, chi, rim                    each point behind an edge of one: the same
+//   range_rims     points, one-sided                each rim of a range image: a boundary?
 //   range_points   chi                              each point on a rim of a range image: the same
 //   triangles      each term of the fitness         each triangle along the rims: left out?
 // The last one needs the true loops, in SET.loops.json.
@@ -55,13 +56,18 @@ std::vector<int> truth_of(const Cloud& cloud, const Arrangement& arranged) {
 
 void print_rims(const RimEvidence& e, const std::vector<int>& truth, const Run& run) {
   for (const Rim& rim : walk_rims(e.set, e.selection, run)) {
-    const RimMeasures x = measure_rim(rim, e, run);
     int on = 0, known = 0;
     for (const Index v : rim) {
       on += truth[v] == 1;
       known += truth[v] >= 0;
     }
-    if (!x.is_known || 2 * known < static_cast<int>(rim.size())) continue;
+    if (2 * known < static_cast<int>(rim.size())) continue;
+    if (e.sampling.is_range_image) {
+      std::printf("range_rims,%d,%zu,%.6g\n", 2 * on >= known, rim.size(), mean_one_sided(rim, e.samples));
+      continue;
+    }
+    const RimMeasures x = measure_rim(rim, e, run);
+    if (!x.is_known) continue;
     std::printf("rims,%d,%zu,%.6g,%.6g\n", 2 * on >= known, rim.size(), x.thickness, x.empty_ball);
   }
 }
@@ -134,7 +140,7 @@ void run_on(const std::string& file) {
   auto proposed =
       image ? range_image_triangles(samples.points, samples.frames, *image) : propose_surface(samples, run);
   const Selection all(proposed.size(), 1);
-  if (!image) print_rims({proposed, all, {}, samples, sampling}, truth, run);
+  print_rims({proposed, all, {}, samples, sampling}, truth, run);
   const auto surface = select(std::move(proposed), samples, sampling, options, run);
   const auto loops =
       true_loops(file.substr(0, file.rfind('.')) + ".loops.json", arranged, cloud.points.size());

@@ -17,13 +17,12 @@ import numpy as np
 import model_table
 
 # Of each term: the struct of model.h, its coefficients in the order of the columns, and the columns from the measures.
-TERMS = ("rims", "ears", "points_on", "points_behind", "range_points", "triangles")
+TERMS = ("rims", "range_rims", "ears", "points_on", "points_behind", "range_points", "triangles")
 
 
 def read_model():
-    text = (pathlib.Path(model_table.__file__).resolve().parents[2] / "src/base/model.h").read_text()
     values = {}
-    for _, struct, name, number, _ in model_table.coefficients(text):
+    for _, struct, name, number, _ in model_table.coefficients(model_table.read_headers()):
         values[struct, name] = float(number.rstrip("fF"))
     return values
 
@@ -38,6 +37,9 @@ def columns(term, x, model):
         size = np.log(np.minimum(x[:, 0], model["RimModel", "most_points"]) / model["RimModel", "usual_points"])
         ball = np.minimum(x[:, 2], model["RimModel", "most_ball"])
         return np.column_stack([size, x[:, 1], ball])
+    if term == "range_rims":
+        size = np.log(np.minimum(x[:, 0], model["RangeRimModel", "most_points"]) / model["RangeRimModel", "usual_points"])
+        return np.column_stack([size, x[:, 1]])
     if term in ("ears", "triangles"):
         return x
     if term == "range_points":
@@ -54,6 +56,7 @@ def today(term, model):
         return [("range_point_constant", model["", "range_point_constant"]), ("range_point_chi", model["", "range_point_chi"])]
     struct, names = {
         "rims": ("RimModel", ("constant", "size", "thickness", "empty_ball")),
+        "range_rims": ("RangeRimModel", ("constant", "size", "one_sided")),
         "ears": ("FalseEarModel", ("constant", "angle", "log_tail", "jaggedness")),
         "triangles": ("RimFitnessModel", ("open", "size", "own", "tip", "spread", "even", "slight", "moderate", "sharp",
                                           "even_slight", "even_moderate", "even_sharp", "contrast", "pinch",

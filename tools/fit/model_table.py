@@ -1,12 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes docs/model.md from src/base/model.h and model_clean.h: a row for each coefficient of the default method."""
+"""Writes docs/model.md from src/base/model.h, model_search.h and model_clean.h: a row for each coefficient of the default method."""
 
 import pathlib
 import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def read_headers():
+    """The text of all headers that have coefficients."""
+    return "".join((ROOT / "src/base" / name).read_text() for name in ("model.h", "model_search.h", "model_clean.h"))
 
 
 def coefficients(text):
@@ -40,8 +45,8 @@ def page(text):
     lines = [
         "# The model",
         "",
-        "Every coefficient of the default method, as [src/base/model.h](../src/base/model.h) and model_clean.h have it. This page is written by",
-        "`tools/fit/model_table.py`; a test compares it with the code. `tools/fit/fit` fits again those that are marked fitted, and",
+        "Every coefficient of the default method, as [src/base/model.h](../src/base/model.h), model_search.h and model_clean.h have it. This page is",
+        "written by `tools/fit/model_table.py`; a test compares it with the code. `tools/fit/fit` fits again those that are marked fitted, and",
         "prints them beside these.",
         "",
     ]
@@ -59,7 +64,7 @@ def page(text):
 
 
 if __name__ == "__main__":
-    written = page("".join((ROOT / "src/base" / name).read_text() for name in ("model.h", "model_clean.h")))
+    written = page(read_headers())
     if len(sys.argv) > 1 and sys.argv[1] == "--check":
         sys.exit(written != (ROOT / "docs/model.md").read_text())
     (ROOT / "docs/model.md").write_text(written)
