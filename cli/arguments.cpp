@@ -288,6 +288,10 @@ void add_method(CLI::App& command, MethodArguments& arguments) {
              "this way. Default 0,0,1.",
              "Mesh (section 5)",
              [&](const std::string& text) { arguments.up = parse_direction("--up", text); });
+  add_parsed(command, "--viewpoint", "X,Y,Z",
+             "Where the scanner stood: depths along its rays may be in steps. Default: the axes and the "
+             "origin are tried.",
+             files, [&](const std::string& text) { arguments.viewpoint = parse_place("--viewpoint", text); });
   add_parsed(command, "--holes", "keep|fill|fill:MAX",
              "Holes that are filled by triangles; the others are loops of the mesh's boundary. fill:30 fills "
              "those of at most 30 points, fill:2.5u those whose rim is at most 2.5 long, in units of the "

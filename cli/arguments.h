@@ -39,6 +39,7 @@ struct MethodArguments {
   std::string output, loops, report, picture, history;
   std::string use_loops;
   std::optional<Point> up;
+  std::optional<Point> viewpoint;
   std::optional<HolePolicy> holes;
   std::optional<std::array<Index, 4>> corners;
   std::string reference, uv_picture;          // of reconstruct alone
@@ -71,7 +72,8 @@ void add_input(CLI::App& command, Input& input);
 void add_output(CLI::App& command, std::string& output, const std::string& value,
                 const std::string& description, bool required);
 
-// --preset, --loops, --use-loops, --report, --history, --picture, --up and one flag per field of the options.
+// --preset, --loops, --use-loops, --report, --history, --picture, --up, --viewpoint and one flag per field of
+// the options.
 void add_method(CLI::App& command, MethodArguments& arguments);
 
 // --reference, --distortion, --uv-picture and other options of a mesh.

@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "rimline/arrange.h"
+#include "rimline/clean.h"
 #include "rimline/io.h"
 #include "rimline/neighbours.h"
 #include "session.h"
@@ -60,6 +63,21 @@ int exponent_of(const std::vector<Point>& points) {
   return most > 0 ? std::ilogb(most) : 0;
 }
 
+// The steps that coordinates are in; empty where they are in none.
+std::string steps_line(const std::vector<Point>& points, double spacing, int exponent) {
+  std::string found;
+  const std::array<std::pair<const char*, double Point::*>, 3> axes{
+      {{"x", &Point::x}, {"y", &Point::y}, {"z", &Point::z}}};
+  for (const auto& [name, axis] : axes) {
+    std::vector<double> values;
+    for (const Point& p : points) values.push_back(p.*axis);
+    if (const auto levels = find_levels(std::move(values), spacing))
+      found +=
+          fmt::format("{}{} {:.6g}", found.empty() ? "" : ", ", name, std::ldexp(levels->quantum, exponent));
+  }
+  return found.empty() ? "" : line("steps", found + " (rounding, or a grid)");
+}
+
 std::string spacing_line(Arrangement distinct, const Run& run) {
   constexpr int six = 6;  // neighbours that local_spacing() averages over
   const int exponent = exponent_of(distinct.points);
@@ -68,6 +86,7 @@ std::string spacing_line(Arrangement distinct, const Run& run) {
   const auto neighbours = find_neighbours(distinct.points, six, run);
   auto spacing = local_spacing(distinct.points, neighbours);
   std::sort(spacing.begin(), spacing.end());
+  const std::string steps = steps_line(distinct.points, spacing[spacing.size() / 2], exponent);
   const auto at = [&](double share) {
     const auto place = static_cast<std::size_t>(share * static_cast<double>(spacing.size() - 1));
     return std::ldexp(spacing[place], exponent);
@@ -75,7 +94,8 @@ std::string spacing_line(Arrangement distinct, const Run& run) {
   return line("spacing",
               fmt::format("median {:.6g}, 5 % below {:.6g}, 5 % above {:.6g} (mean distance to the "
                           "{} nearest)",
-                          at(0.5), at(0.05), at(0.95), std::min(six, neighbours.k)));
+                          at(0.5), at(0.05), at(0.95), std::min(six, neighbours.k))) +
+         steps;
 }
 
 void run_info(const InfoArguments& arguments) {

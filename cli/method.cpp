@@ -31,6 +31,7 @@ Inputs read_inputs(const MethodArguments& arguments, Session& session) {
   inputs.cloud = read_cloud(arguments.input.path, arguments.input.filter, session.run());
   inputs.given.normals = inputs.cloud.normals();
   inputs.given.raster = inputs.cloud.raster();
+  inputs.given.viewpoint = arguments.viewpoint;
   if (!arguments.use_loops.empty()) {
     inputs.given.loops = read_loops(arguments.use_loops, inputs.cloud.points.size(), session.run());
     if (inputs.given.loops.empty())

@@ -88,7 +88,10 @@ bool parse_switch(const std::string& flag, const std::string& text) {
   refuse(flag, "'on' or 'off'", text);
 }
 
-Point parse_direction(const std::string& flag, const std::string& text) {
+namespace {
+
+// The numbers between commas; one too few where one is none.
+std::vector<double> numbers_in(const std::string& text) {
   std::vector<double> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -97,10 +100,26 @@ Point parse_direction(const std::string& flag, const std::string& text) {
     parts.push_back(*part);
     begin = end + 1;
   }
-  const auto commas = std::count(text.begin(), text.end(), ',');
-  if (parts.size() != 3 || commas != 2 || (parts[0] == 0 && parts[1] == 0 && parts[2] == 0)) {
+  return parts;
+}
+
+bool are_three(const std::vector<double>& parts, const std::string& text) {
+  return parts.size() == 3 && std::count(text.begin(), text.end(), ',') == 2;
+}
+
+}  // namespace
+
+Point parse_direction(const std::string& flag, const std::string& text) {
+  const std::vector<double> parts = numbers_in(text);
+  if (!are_three(parts, text) || (parts[0] == 0 && parts[1] == 0 && parts[2] == 0)) {
     refuse(flag, "three numbers X,Y,Z that are not all zero, such as 0,0,1", text);
   }
+  return {parts[0], parts[1], parts[2]};
+}
+
+Point parse_place(const std::string& flag, const std::string& text) {
+  const std::vector<double> parts = numbers_in(text);
+  if (!are_three(parts, text)) refuse(flag, "three numbers X,Y,Z, such as 0,0,1.5", text);
   return {parts[0], parts[1], parts[2]};
 }
 

@@ -26,6 +26,9 @@ double parse_number(const std::string& flag, const std::string& text, double lea
 bool parse_switch(const std::string& flag, const std::string& text);
 // Three numbers with commas between them, not all of them zero.
 Point parse_direction(const std::string& flag, const std::string& text);
+
+// A place X,Y,Z.
+Point parse_place(const std::string& flag, const std::string& text);
 // Four ids of points with commas between them, all different.
 std::vector<int> parse_classes(const std::string& flag, const std::string& text);
 std::array<Index, 4> parse_corners(const std::string& flag, const std::string& text);

@@ -137,6 +137,10 @@ std::string summary(const Report& report, const std::string& files, double secon
   std::string text = points_line(report.points);
   text += line("spacing", fmt::format("{:.4g} on average, {:.4g} to {:.4g}", report.spacing.mean,
                                       report.spacing.least, report.spacing.most));
+  if (report.steps.removed > 0) {
+    text += line("steps", fmt::format("terraces of {:.4g} along {}, smoothed to find the surface",
+                                      report.steps.removed, report.steps.removed_along));
+  }
   text += line("candidates", with_commas(report.candidates));
   text += search_line(report.search);
   text += loop_lines(report.loops, report.closed);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stray points: points of a scan that are not on the surface.  [ours: the paper assumes a clean sample]
+// Stray points: points of a scan that are not on the surface. Coordinates in steps.  [ours: the paper assumes
+// a clean sample]
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "rimline/neighbours.h"
@@ -28,5 +30,35 @@ std::vector<Index> all_of(const StrayPoints& stray);
 // local_spacing().
 StrayPoints find_stray_points(Points points, const Neighbours& neighbours, const std::vector<double>& spacing,
                               const Run& run);
+
+// The values of a coordinate that is rounded, or of a regular grid.
+struct Levels {
+  std::vector<double> at;     // ascending, in the unit of the points
+  std::vector<double> index;  // of each level: how many steps it lies above the first; missing levels count
+  double quantum = 0;         // the median step, in the unit of the points
+};
+
+// The levels of the values; none where they are not in steps. `spacing`: of the points; steps of less than a
+// twentieth of it are no steps.
+std::optional<Levels> find_levels(std::vector<double> values, double spacing);
+
+// Terraces: steps so high that they part a surface. They lie along an axis, or along the rays of a camera.
+struct Terraces {
+  std::optional<Point> centre;  // of the rays; none along an axis
+  int axis = 2;                 // 0, 1, 2, where there is no centre
+  Levels levels;
+};
+
+// Looks along the three axes and along the rays from each place of `centres`. Points are on terraces where
+// most of them have most of their neighbours on their own level, and a step is longer than 1.2 spacings. The
+// places are in the coordinates of the points. `spacing`: local_spacing().
+std::optional<Terraces> find_terraces(Points points, const Neighbours& neighbours,
+                                      const std::vector<double>& spacing, const std::vector<Point>& centres,
+                                      const Run& run);
+
+// The points moved along that direction, by a step at most, onto a surface without terraces. Where the
+// surface runs along the direction they stay. `spacing`: local_spacing().
+std::vector<Point> without_terraces(Points points, const Terraces& terraces,
+                                    const std::vector<double>& spacing, const Run& run);
 
 }  // namespace rimline

@@ -2,6 +2,7 @@
 // What may come with the points.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct Given {
   // One per point, all of one scan; the preset `default` takes the triangles between neighbouring cells, where
   // these fit the points (Cloud::raster).
   std::vector<RasterCell> raster = {};
+  std::optional<Point> viewpoint = {};  // of the scanner: depths along its rays may be in steps
 };
 
 }  // namespace rimline

@@ -32,6 +32,14 @@ struct SpacingSummary {
   double low = 0, high = 0;  // the 5 % and 95 % quantiles
 };
 
+// Coordinates in steps, as rounding, depth cameras and regular grids make them: the length of a step in the
+// unit of the input, 0 where the coordinate is not in steps.
+struct StepSummary {
+  double x = 0, y = 0, z = 0;
+  double removed = 0;         // of the terraces that were smoothed before anything else was asked
+  std::string removed_along;  // "x", "y", "z" or "ray"; empty where there were none
+};
+
 // The paper's assumptions, measured.
 struct AssumptionSummary {
   double delta = 0;              // Assumption 2.4: the least lambda_2 / (lambda_1 + lambda_2 + lambda_3)
@@ -196,6 +204,7 @@ struct Report {
   std::uint64_t seed = 1;
   PointCounts points;
   SpacingSummary spacing;
+  StepSummary steps;
   AssumptionSummary assumptions;
   std::size_t candidates = 0;
   std::size_t undersampled = 0;  // candidates on no loop: the paper's map of undersampled regions

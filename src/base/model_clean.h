@@ -118,4 +118,25 @@ inline constexpr double apart_alone = 2.5;
 // corpus]
 inline constexpr double apart_share = 0.02, apart_most = 50;
 
+// ---- Coordinates in steps: src/clean/steps ----
+
+// spacings: values nearer than this are one level, whose width is at most that. [hand; no other tried]
+inline constexpr double step_least = 0.05;
+// share: of the points that are on levels, if the coordinate is in steps. [hand: 5 % may be outliers]
+inline constexpr double step_share = 0.9;
+// count: points of a level on average. [hand; no other tried]
+inline constexpr double step_points = 8;
+// spacings: steps from this on part the surface; shorter ones are noise that is removed as such. [hand:
+// sampled shapes keep their loops up to 1, not from 2 on]
+inline constexpr double terrace_least = 1.2;
+// spacings: the length of a step while neighbours across it are looked for. [hand: 0.3 to 1 alike]
+inline constexpr double terrace_squeezed = 0.4;
+// cosine: of the angle of the normal to the steps, from which on points are moved. [derived: 60 degrees]
+inline constexpr double terrace_across = 0.5;
+// count: rounds of the smoothing. [hand: 20 to 50 alike]
+inline constexpr int terrace_rounds = 30;
+// steps: a neighbour that far along is another surface; how far a point is moved at most. [hand: with 1 and
+// half a step the wall of a depth camera keeps false holes, since its depths scatter by a step]
+inline constexpr double terrace_near = 2, terrace_most = 1;
+
 }  // namespace rimline::model

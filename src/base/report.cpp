@@ -258,6 +258,15 @@ const char* name(LoopSource source) {
   return "?";
 }
 
+Json steps_json(const StepSummary& steps) {
+  const auto number = [](double quantum) { return quantum > 0 ? Json(quantum) : Json(); };
+  return {{"x", number(steps.x)},
+          {"y", number(steps.y)},
+          {"z", number(steps.z)},
+          {"removed", number(steps.removed)},
+          {"removed_along", steps.removed_along.empty() ? Json() : Json(steps.removed_along)}};
+}
+
 std::string to_json(const Report& report) {
   Json json;
   json["schema"] = 1;
@@ -272,6 +281,7 @@ std::string to_json(const Report& report) {
                      {"quantile_05", report.spacing.low},
                      {"quantile_95", report.spacing.high},
                      {"most", report.spacing.most}};
+  json["steps"] = steps_json(report.steps);
   json["assumptions"] = {{"delta", report.assumptions.delta},
                          {"points_below_delta_0.05", report.assumptions.below_delta},
                          {"points_per_sector", report.assumptions.points_per_sector},

@@ -127,7 +127,7 @@ MappedMesh mesh_patches(const PreparedPoints& prepared, const FoundLoops& found,
     return refine_surface(prepared.points(), prepared.neighbours, found.loops, found.surface, refine, run);
   });
   MappedMesh mesh;
-  mesh.vertices = prepared.points();
+  mesh.vertices = prepared.places();
   mesh.vertices.insert(mesh.vertices.end(), surface.added.begin(), surface.added.end());
   mesh.uv = std::move(surface.uv);
   mesh.patch = std::move(surface.patch);

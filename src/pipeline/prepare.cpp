@@ -2,10 +2,13 @@
 #include "pipeline/prepare.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/domain_traits.h"
+#include "base/quantile.h"
 #include "pipeline/given_loops.h"
 #include "rimline/clean.h"
 #include "rimline/measure.h"
@@ -56,9 +59,52 @@ Arrangement arrange_again(Points input, Arrangement arrangement, const Run& run)
   for (const Index id : arrangement.ids) left[id] = input[id];
   Arrangement again = arrange(left, run);
   again.not_finite = std::move(arrangement.not_finite);
-  again.duplicates = std::move(arrangement.duplicates);
+  again.duplicates.insert(again.duplicates.end(), arrangement.duplicates.begin(),
+                          arrangement.duplicates.end());
+  std::ranges::sort(again.duplicates);
   again.stray = std::move(arrangement.stray);
   return again;
+}
+
+// The step of each axis, and of the terraces that were found.
+StepSummary summarize_steps(const Sampled& sampled, const std::optional<Terraces>& terraces) {
+  StepSummary steps;
+  if (sampled.spacing.empty()) return steps;
+  std::vector<double> spacings = sampled.spacing;
+  const double usual = quantile(spacings, 0.5);
+  const auto quantum = [&](double Point::*axis) {
+    std::vector<double> values;
+    for (const Point& p : sampled.arrangement.points) values.push_back(p.*axis);
+    const auto levels = find_levels(std::move(values), usual);
+    return levels ? levels->quantum : 0.0;
+  };
+  steps.x = quantum(&Point::x);
+  steps.y = quantum(&Point::y);
+  steps.z = quantum(&Point::z);
+  if (!terraces) return steps;
+  constexpr std::array names{"x", "y", "z"};
+  steps.removed = terraces->levels.quantum;
+  steps.removed_along = terraces->centre ? "ray" : names[static_cast<std::size_t>(terraces->axis)];
+  return steps;
+}
+
+// The places from which the points may have been seen, in the coordinates of the arrangement: the one given,
+// and the origin of the input, where depth cameras have it.
+std::vector<Point> centres_of(const Arrangement& arrangement, const Given& given) {
+  std::vector<Point> centres{Point{} - arrangement.origin};
+  if (given.viewpoint) centres.insert(centres.begin(), *given.viewpoint - arrangement.origin);
+  return centres;
+}
+
+// The input with the points in use moved off their terraces.
+std::vector<Point> smoothed_input(Points input, const Sampled& sampled, const Terraces& terraces,
+                                  const Run& run) {
+  std::vector<Point> smoothed(input.begin(), input.end());
+  const std::vector<Point> moved =
+      without_terraces(sampled.arrangement.points, terraces, sampled.spacing, run);
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    smoothed[sampled.arrangement.ids[i]] = moved[i] + sampled.arrangement.origin;
+  return smoothed;
 }
 
 // Removes stray points until none is found, and finds the neighbours of the others. Some can be found only
@@ -97,13 +143,35 @@ PreparedPoints prepare(Points input, const Options& options, const Given& given,
   Arrangement arrangement = arrange(input, run);
   clock.enter(Stage::Neighbours);
   Sampled sampled = with_neighbours(std::move(arrangement), k, run);
+  std::vector<Point> smoothed;
+  std::optional<Terraces> terraces;
+  if (counts(UsedBy::Default, options)) {
+    terraces = find_terraces(sampled.arrangement.points, sampled.neighbours, sampled.spacing,
+                             centres_of(sampled.arrangement, given), run);
+  }
+  const StepSummary steps = summarize_steps(sampled, terraces);
+  if (terraces) {
+    smoothed = smoothed_input(input, sampled, *terraces, run);
+    sampled = with_neighbours(arrange_again(smoothed, std::move(sampled.arrangement), run), k, run);
+  }
+  const Points used = terraces ? Points(smoothed) : input;
   if (leave_out_stray(sampled.arrangement, sampled.neighbours, run))
-    sampled = with_neighbours(arrange_again(input, std::move(sampled.arrangement), run), k, run);
+    sampled = with_neighbours(arrange_again(used, std::move(sampled.arrangement), run), k, run);
   if (counts(UsedBy::Default, options))
-    sampled = without_stray_points(std::move(sampled), input, k, given.loops, run);
+    sampled = without_stray_points(std::move(sampled), used, k, given.loops, run);
   const SpacingSummary summary = summarize_spacing(sampled.spacing, run);
-  return {input, std::move(sampled.arrangement), std::move(sampled.neighbours), std::move(sampled.spacing),
-          summary};
+  return {input,
+          std::move(sampled.arrangement),
+          std::move(sampled.neighbours),
+          std::move(sampled.spacing),
+          summary,
+          steps};
+}
+
+std::vector<Point> PreparedPoints::places() const {
+  std::vector<Point> places;
+  for (const Index id : ids()) places.push_back(input[id] - arrangement.origin);
+  return places;
 }
 
 }  // namespace rimline::pipeline

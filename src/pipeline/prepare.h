@@ -20,9 +20,13 @@ struct PreparedPoints {
   Neighbours neighbours;
   std::vector<double> spacing;  // local_spacing()
   SpacingSummary spacing_summary;
+  StepSummary steps;
 
   const std::vector<Point>& points() const { return arrangement.points; }
   const std::vector<Index>& ids() const { return arrangement.ids; }
+
+  // The same as the input has them: `points()` lie elsewhere where terraces were smoothed.
+  std::vector<Point> places() const;
 };
 
 // Throws BadOption for corners that name points which the input does not have, normals that are not one per

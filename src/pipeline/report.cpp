@@ -38,6 +38,7 @@ Report report_boundary(const PreparedPoints& prepared, const BoundaryScores& sco
   report.seed = run.seed;
   report.points = count_points(prepared);
   report.spacing = prepared.spacing_summary;
+  report.steps = prepared.steps;
   report.assumptions = summarize_assumptions(scores, k, options.boundary.sectors);
   report.candidates = std::count(scores.candidate.begin(), scores.candidate.end(), 1);
   report.search = found.search;

@@ -60,6 +60,8 @@ int exponent_of(Points points, const Run& run) {
 
 void scale_report(Report& report, int exponent) {
   scale(report.spacing, exponent);
+  for (double* x : {&report.steps.x, &report.steps.y, &report.steps.z, &report.steps.removed})
+    scale(*x, exponent);
   for (Loop& loop : report.loops) scale(loop.length, exponent);
   scale(report.mesh.area, 2 * exponent);
   if (report.holes) {
@@ -104,6 +106,7 @@ std::optional<Scaled> scaled_to_unit(Points points, const Options& options, cons
   Scaled scaled{exponent, {points.begin(), points.end()}, options, given};
   scale_input(scaled.points, -exponent);
   scale(scaled.given.reference.points, -exponent);
+  if (scaled.given.viewpoint) scale(*scaled.given.viewpoint, -exponent);
   scale(scaled.options.mesh.holes.most_length, -exponent);
   return scaled;
 }
