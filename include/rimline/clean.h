@@ -57,7 +57,8 @@ std::optional<Terraces> find_terraces(Points points, const Neighbours& neighbour
                                       const Run& run);
 
 // The points moved along that direction, by a step at most, onto a surface without terraces. Where the
-// surface runs along the direction they stay. `spacing`: local_spacing().
+// surface runs along the direction they stay; where most do there are no terraces but rows, and the result is
+// empty. `spacing`: local_spacing().
 std::vector<Point> without_terraces(Points points, const Terraces& terraces,
                                     const std::vector<double>& spacing, const Run& run);
 

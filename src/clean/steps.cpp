@@ -176,6 +176,7 @@ std::vector<Point> without_terraces(Points points, const Terraces& terraces,
   std::vector<char> moves(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     moves[i] = std::abs(dot(frames[i].normal, direction_at(points[i], terraces))) > model::terrace_across;
+  if (2 * std::ranges::count(moves, 1) < std::ssize(moves)) return {};
   const std::vector<double> smoothed = smooth(level, neighbours, moves, run);
   std::vector<Point> moved(points.begin(), points.end());
   for (std::size_t i = 0; i < points.size(); ++i) {

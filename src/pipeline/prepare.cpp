@@ -96,12 +96,13 @@ std::vector<Point> centres_of(const Arrangement& arrangement, const Given& given
   return centres;
 }
 
-// The input with the points in use moved off their terraces.
+// The input with the points in use moved off their terraces; empty where there are none after all.
 std::vector<Point> smoothed_input(Points input, const Sampled& sampled, const Terraces& terraces,
                                   const Run& run) {
   std::vector<Point> smoothed(input.begin(), input.end());
   const std::vector<Point> moved =
       without_terraces(sampled.arrangement.points, terraces, sampled.spacing, run);
+  if (moved.empty()) return {};
   for (std::size_t i = 0; i < moved.size(); ++i)
     smoothed[sampled.arrangement.ids[i]] = moved[i] + sampled.arrangement.origin;
   return smoothed;
@@ -149,11 +150,11 @@ PreparedPoints prepare(Points input, const Options& options, const Given& given,
     terraces = find_terraces(sampled.arrangement.points, sampled.neighbours, sampled.spacing,
                              centres_of(sampled.arrangement, given), run);
   }
+  if (terraces) smoothed = smoothed_input(input, sampled, *terraces, run);
+  if (smoothed.empty()) terraces.reset();
   const StepSummary steps = summarize_steps(sampled, terraces);
-  if (terraces) {
-    smoothed = smoothed_input(input, sampled, *terraces, run);
+  if (terraces)
     sampled = with_neighbours(arrange_again(smoothed, std::move(sampled.arrangement), run), k, run);
-  }
   const Points used = terraces ? Points(smoothed) : input;
   if (leave_out_stray(sampled.arrangement, sampled.neighbours, run))
     sampled = with_neighbours(arrange_again(used, std::move(sampled.arrangement), run), k, run);

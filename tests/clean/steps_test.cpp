@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "rimline/clean.h"
+#include "rimline/find_boundary.h"
 #include "rimline/reconstruct.h"
 
 namespace rimline {
@@ -89,6 +90,16 @@ TEST_CASE("a slope without its terraces is nearer to the slope, and no point goe
     CHECK(std::abs(smooth[i].z - stepped[i].z) <= 2 + 1e-9);
   }
   CHECK(after < 0.5 * before);
+}
+
+TEST_CASE("rows of a scan are no terraces") {
+  std::vector<Point> rows;
+  for (int i = 0; i < 20; ++i) {
+    for (int j = 0; j < 60; ++j) rows.push_back({4.0 * i, 1.0 * j + 0.3 * (i % 2), 0.02 * i * i});
+  }
+  const auto result = find_boundary(rows, preset_options(Preset::Default), {});
+  CHECK(result.report.steps.removed == 0);
+  CHECK(result.report.steps.x == 4);
 }
 
 TEST_CASE("a slope in steps is one disc of all its points, which stay where they are") {
