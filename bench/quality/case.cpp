@@ -7,6 +7,7 @@ namespace rimline::bench {
 
 std::string CaseName::text() const {
   if (group == "data") return "data/" + shape;
+  if (group == "corpus") return "corpus/" + sampling + "/" + shape;
   return fmt::format("{}/{}/{}/n{}/noise{}/{}", group, shape, sampling, n, noise, draw);
 }
 

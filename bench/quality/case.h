@@ -24,9 +24,9 @@ struct TrueSurface {
 
 // A name as the tables and --cases see it, and where the case stands in them.
 struct CaseName {
-  std::string group;     // "analytic", "data" or "topology"
-  std::string shape;     // of a data set: its name
-  std::string sampling;  // empty for a data set
+  std::string group;     // "analytic", "topology", "data" or "corpus": a set whose folder has an index
+  std::string shape;     // of a set: its name
+  std::string sampling;  // empty for a data set; of a set of a corpus the style that the index tells
   double noise = 0;      // in local mean nearest-neighbour distances
   std::size_t n = 0;     // points asked for; of a data set those it has
   int draw = 0;          // which of the seeds of the case, from 0
@@ -34,6 +34,7 @@ struct CaseName {
 
   // "flat-disc/random/n1000/noise0.2/3", or "data/mannequin".
   std::string text() const;
+  bool is_file() const { return group == "data" || group == "corpus"; }
 };
 
 struct Case {

@@ -2,7 +2,9 @@
 #include "quality/data_sets.h"
 
 #include <filesystem>
-#include <set>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "quality/ply_faces.h"
@@ -40,17 +42,35 @@ void read_truth_loops(const std::string& stem, Case& c) {
 
 }  // namespace
 
+namespace {
+
+// The style of each set that a corpus lists; empty where the folder is none.
+std::map<std::string, std::string> styles_of(const std::string& folder) {
+  std::map<std::string, std::string> styles;
+  std::ifstream file(folder + "/index.json");
+  if (!file) return styles;
+  const auto index = nlohmann::json::parse(file);
+  for (const auto& set : index.at("sets")) styles[set.at("name")] = set.at("style");
+  return styles;
+}
+
+}  // namespace
+
 std::vector<CaseName> data_cases(const std::string& folders) {
-  std::set<std::string> names;  // in order; two folders may have the same
+  std::map<std::string, std::string> names;  // style, "" of data sets; two folders may have the same set
   for (const std::string& folder : split(folders)) {
+    const auto styles = styles_of(folder);
     for (const auto& entry : fs::directory_iterator(folder)) {
       const fs::path file = entry.path().filename();
       // "mannequin.ply", not "mannequin.truth.ply"
-      if (file.extension() == ".ply" && !file.stem().has_extension()) names.insert(file.stem().string());
+      if (file.extension() != ".ply" || file.stem().has_extension()) continue;
+      const auto style = styles.find(file.stem().string());
+      names.emplace(file.stem().string(), style == styles.end() ? "" : style->second);
     }
   }
   std::vector<CaseName> cases;
-  for (const std::string& name : names) cases.push_back({"data", name, "", 0, 0, 0, 1});
+  for (const auto& [name, style] : names)
+    cases.push_back({style.empty() ? "data" : "corpus", name, style, 0, 0, 0, 1});
   return cases;
 }
 

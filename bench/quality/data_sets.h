@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cases of a data folder: NAME.ply with a property `boundary` where the truth is known, beside it
 // NAME.truth.ply (the mesh the points come from, the same vertices), NAME.flipped.ply (its triangles after
-// flips in 3D) or NAME.loops.json (the points in order along the loop they were sampled on).
+// flips in 3D) or NAME.loops.json (the points in order along the loop they were sampled on). A folder with an
+// index.json is a corpus: its `sets` tell name and style of each.
 #pragma once
 
 #include <string>

@@ -96,6 +96,21 @@ void score_longest(const Case& c, const LoopIds& loops, const std::vector<EdgeSe
   }
 }
 
+void score_missed(const Case& c, const LoopIds& loops, Metrics& m) {
+  constexpr double half = 0.5;
+  std::vector<Index> all_found, all_true;
+  for (const auto& loop : loops) all_found.insert(all_found.end(), loop.begin(), loop.end());
+  for (const EdgeSet& loop : c.loops) {
+    for (const Index id : points_of(loop)) all_true.push_back(id);
+  }
+  m["loops_missed"] =
+      static_cast<double>(std::count_if(c.loops.begin(), c.loops.end(), [&](const auto& loop) {
+        return share_near(c, points_of(loop), all_found) < half;
+      }));
+  m["loops_false"] = static_cast<double>(std::count_if(
+      loops.begin(), loops.end(), [&](const auto& loop) { return share_near(c, loop, all_true) < half; }));
+}
+
 void score_edges(const Case& c, const std::vector<EdgeSet>& found, Metrics& m) {
   const EdgeSet all_found = union_of(found), all_true = union_of(c.loops);
   put(m, "edges", f1_of(count_common(all_found, all_true), all_found.size(), all_true.size()));
@@ -154,6 +169,7 @@ Metrics score_loops(const Case& c, const LoopIds& loops) {
   m["crossings"] = static_cast<double>(count_crossings(c, union_of(found)));
   if (c.has_loops) {
     score_edges(c, found, m);
+    score_missed(c, loops, m);
     score_longest(c, loops, found, m);
   }
   return m;

@@ -22,6 +22,8 @@ Metrics score_points(const Case& c, std::span<const Index> found);
 // Loops, each closed and in order: all of score_points, and
 //   edges_precision, edges_recall, edges_f1, loops_found, loops_true, loops_right (found == true),
 //   loops_exact (true loops that were found edge for edge), all_exact (all of them and no other),
+//   loops_missed (true loops of which fewer than half of the points have one of the found loops within one
+//   spacing), loops_false (found ones of which fewer than half have one of the true loops),
 //   length, length_over_truth, longest_loop_1 .. 4 (share of the edges of the longest true loops that the
 //   best single loop has), longest_within_1 .. 4 (share of their points with a point of the best single loop
 //   within one spacing), simple (no point twice in a loop), crossings (pairs of edges that cross,

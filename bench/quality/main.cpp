@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 struct Settings {
   AnalyticPlan analytic;
   Plan plan;
-  bool quick = false, no_peers = false, no_analytic = false;
+  bool quick = false, no_peers = false, no_analytic = false, corpus = false;
   std::string cases, methods, out = "bench/out/quality.json", markdown, keep, tables_from, commit, date;
 };
 
@@ -41,6 +41,7 @@ void declare(CLI::App& app, Settings& s) {
   app.add_option("--methods", s.methods, "only these methods, comma between them");
   app.add_flag("--no-peers", s.no_peers, "rimline and its presets alone");
   app.add_flag("--no-analytic", s.no_analytic, "data sets alone");
+  app.add_flag("--corpus", s.corpus, "the sets of a corpus alone, with the page of their styles");
   app.add_option("--jobs", s.plan.jobs, "cases at a time")->capture_default_str();
   app.add_option("-o,--out", s.out, "JSON file")->capture_default_str();
   app.add_option("--markdown", s.markdown, "page of tables, for instance docs/quality.md");
@@ -88,7 +89,9 @@ std::vector<CaseName> cases_of(const Settings& s) {
     }
   }
   const auto parts = split(s.cases);
-  std::erase_if(all, [&](const CaseName& name) { return !is_wanted(name, parts); });
+  std::erase_if(all, [&](const CaseName& name) {
+    return !is_wanted(name, parts) || s.corpus != (name.group == "corpus");
+  });
   return all;
 }
 
@@ -119,7 +122,7 @@ std::string today() {
 
 // The folder of the data and where results go tell nothing about the numbers.
 std::string command_of(const Settings& s) {
-  std::string command = "bench/quality/run";
+  std::string command = s.corpus ? "bench/quality/corpus" : "bench/quality/run";
   if (s.quick) command += " --quick";
   command += " --seed " + std::to_string(s.analytic.seed) + " --draws " + std::to_string(s.analytic.draws) +
              " --other-draws " + std::to_string(s.plan.other_draws) + " --mesh-draws " +
@@ -155,7 +158,7 @@ void run(Settings& s) {
     if (const auto folder = fs::path(s.out).parent_path(); !folder.empty()) fs::create_directories(folder);
     write_results(s.out, results);
   }
-  const std::string page = quality_page(results);
+  const std::string page = s.corpus ? corpus_page(results) : quality_page(results);
   if (s.markdown.empty()) {
     std::fputs(page.c_str(), stdout);
   } else {

@@ -76,11 +76,11 @@ Method method_of(Preset preset) {
   return method;
 }
 
-// Each doubtful triangle is decided by its own size.
-Method without_search() {
+// The default method with another search.
+Method with_search(RimSearch search) {
   Options options;
-  options.boundary_loops.rim_generations = 0;
-  Method method = method_of("greedy", "greedy join", options);
+  options.boundary_loops.search = search;
+  Method method = method_of(name(search), std::string("search ") + name(search), options);
   method.makes_mesh = false;
   return method;
 }
@@ -89,7 +89,7 @@ Method without_search() {
 
 std::vector<Method> our_methods() {
   return {method_of(Preset::Default), method_of(Preset::Paper), method_of(Preset::PaperLog),
-          without_search()};
+          with_search(RimSearch::Greedy), with_search(RimSearch::Climb)};
 }
 
 }  // namespace rimline::bench

@@ -39,7 +39,7 @@ std::vector<Steps> steps_of(const Results& results) {
   std::vector<Steps> cases;
   std::map<std::string, std::size_t> place;
   for (const Row& row : results.rows) {
-    if (!row.loops.contains("edges_f1")) continue;
+    if (!row.loops.contains("edges_f1") || row.name.group == "corpus") continue;
     if (row.method != arcs && row.method != greedy && row.method != default_method) continue;
     const auto [found, is_new] = place.try_emplace(row.name.text(), cases.size());
     if (is_new) cases.emplace_back();

@@ -10,7 +10,8 @@ namespace rimline::bench {
 
 inline constexpr const char* default_method = "default";
 
-std::string quality_page(const Results& results);  // all of them, under one title
+std::string quality_page(const Results& results);  // all of them, under one title, but the corpus
+std::string corpus_page(const Results& results);
 
 std::string provenance_section(const Results& results);
 std::string aims_section(const Results& results);

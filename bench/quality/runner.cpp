@@ -25,6 +25,7 @@ bool is_meshed(const Plan& plan, const CaseName& name) {
 }
 
 bool wants_mesh(const Plan& plan, const Case& c) {
+  if (c.name.group == "corpus") return false;  // bench/quality/reliability meshes it
   if (c.name.group == "data") return c.points.size() <= plan.mesh_points;
   if (c.name.group == "topology") return true;
   return is_meshed(plan, c.name);
@@ -49,7 +50,7 @@ bool anyone_answers(const Plan& plan, const CaseName& name) {
 }
 
 std::optional<Case> make_case(const Plan& plan, const CaseName& name) {
-  if (name.group == "data") return read_data_set(plan.data, name);
+  if (name.is_file()) return read_data_set(plan.data, name);
   auto c = make_analytic(name);
   if (c && name.group == "analytic" && wants_mesh(plan, *c)) c->surface = true_surface(name);
   return c;
@@ -66,7 +67,7 @@ std::vector<Row> run_case(const Plan& plan, const CaseName& name) {
     const bool mesh = want_mesh && method.makes_mesh;
     const Outcome outcome = method.run(*c, mesh);
     rows.push_back(score(*c, method, outcome, mesh));
-    if (name.group == "data" && !plan.write_folder.empty()) {
+    if (name.is_file() && !plan.write_folder.empty()) {
       write_outcome(plan.write_folder, *c, method.id, outcome);
     }
   }

@@ -62,14 +62,25 @@ enum class LoopPolicy {
 // "all", "outer", "largest".
 const char* name(LoopPolicy policy);
 
+// How the triangles of the surface are chosen among the candidates; nothing else depends on it.
+enum class RimSearch {
+  Greedy,   // each by its own size
+  Climb,    // from several starts, single flips while they raise the fitness; the fittest result
+  Genetic,  // these results as the first population, which exchange regions
+};
+
+// "greedy", "climb", "genetic".
+const char* name(RimSearch search);
+
 // All boundary loops, in order: the preset `default`, in place of sections 3.2 to 3.4. [ours, docs/default-
 // method.md]
 struct BoundaryLoopOptions {
   LoopPolicy loop_policy = LoopPolicy::All;
   int min_loop = 6;              // points of a loop that is returned, at least 3
   double min_probability = 0.4;  // of a loop that is returned; noise of half a spacing leaves about 0.5
-  int rim_population = 12;       // chromosomes per group of candidate triangles
-  int rim_generations = 30;      // at most; 0 decides each triangle by its own size
+  RimSearch search = RimSearch::Genetic;
+  int rim_population = 12;   // chromosomes per group of candidate triangles; of the search climb its starts
+  int rim_generations = 30;  // at most, of the genetic search; 0 is the search climb
 };
 
 // The domain that a patch is mapped to.
@@ -228,11 +239,14 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
         UsedBy::Default);
   field("min_probability", o.boundary_loops.min_probability, 0.0, 1.0,
         "least probability of a returned loop [ours]", UsedBy::Default);
-  field("rim_population", o.boundary_loops.rim_population, 2, 100'000,
-        "chromosomes per group of candidate triangles [ours]", UsedBy::Default);
-  field("rim_generations", o.boundary_loops.rim_generations, 0, 1'000'000,
-        "upper bound of the generations of a group; 0 decides each candidate by its size alone [ours]",
+  field("search", o.boundary_loops.search, RimSearch::Genetic, RimSearch::Genetic,
+        "how the triangles of the surface are chosen: greedy by size alone, climb by the fitness of the whole "
+        "boundary from several starts, genetic by breeding what climb finds [ours]",
         UsedBy::Default);
+  field("rim_population", o.boundary_loops.rim_population, 2, 100'000,
+        "chromosomes per group of candidate triangles, or starts of the search climb [ours]", UsedBy::Default);
+  field("rim_generations", o.boundary_loops.rim_generations, 0, 1'000'000,
+        "upper bound of the generations of a group; 0 is the search climb [ours]", UsedBy::Default);
   field("domain", o.map.domain, Domain::Disc, Domain::Disc,
         "domain of a patch's map: free is least squares conformal at real scale, none makes no map [ours]",
         UsedBy::Default);

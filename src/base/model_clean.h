@@ -30,6 +30,9 @@ inline constexpr double sparse_around = 0.4;
 inline constexpr double sparse_on_surface = 0.6;
 // count: neighbours that tell the surface that a point may be off. [hand: 16 follow noise]
 inline constexpr int stray_neighbours = 24;
+// count: points of a group apart where the scale varies beyond stray_most_graded. [hand: camelhead loses six
+// true points in smaller ones, and gets a false loop]
+inline constexpr std::size_t apart_fewest_graded = 8;
 // count: rounds of the reweighted fits. [hand: as good as ten on the corpus]
 inline constexpr int stray_rounds = 5;
 // times the median: residual at which a neighbour does not count for a plane, ... [hand; no other tried]

@@ -34,6 +34,15 @@ const char* name(LoopPolicy policy) {
   return "?";
 }
 
+const char* name(RimSearch search) {
+  switch (search) {
+    case RimSearch::Greedy: return "greedy";
+    case RimSearch::Climb: return "climb";
+    case RimSearch::Genetic: return "genetic";
+  }
+  return "?";
+}
+
 const char* name(Domain domain) { return traits(domain).name; }
 
 bool has_map(Domain domain) { return traits(domain).is_mapped(); }

@@ -37,7 +37,8 @@ std::vector<char> lies_apart(Points points, const Neighbours& neighbours, const 
   const double most = std::min(model::apart_most, model::apart_share * static_cast<double>(points.size()));
   std::vector<char> apart(points.size());
   for (Index i = 0; i < static_cast<Index>(points.size()); ++i)
-    apart[i] = !left_out[i] && static_cast<double>(groups.size_of(i)) <= most;
+    apart[i] = !left_out[i] && static_cast<double>(groups.size_of(i)) <= most &&
+               (singles || static_cast<std::size_t>(groups.size_of(i)) >= model::apart_fewest_graded);
   if (!singles) return apart;
   parallel_for_each(points.size(), Stage::Neighbours, run, [&](Index i) {
     if (!left_out[i] && !apart[i]) apart[i] = is_alone(points, neighbours, scale, i, left_out);

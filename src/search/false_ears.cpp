@@ -58,8 +58,7 @@ WithoutFalseEars remove_false_ears(const SelectedSurface& surface, const LocalSi
                                    const Samples& samples, const SamplingProfile& sampling,
                                    const BoundaryLoopOptions& options, const Run& run) {
   WithoutFalseEars result{surface.selection, {}, {}};
-  if (sampling.is_range_image || sampling.noise.noise > 0 || sampling.is_random() ||
-      options.rim_generations == 0)
+  if (sampling.is_range_image || sampling.noise.noise > 0 || sampling.is_random())
     return result;
   const auto boundary_rims = [&] {
     const RimEvidence evidence{surface.set, result.selection, result.behind, samples, sampling};

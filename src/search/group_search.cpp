@@ -259,7 +259,10 @@ GroupResult GroupSearch::search(const CandidateGroup& group, const Random& rando
   GroupResult result;
   load_by_size(model::greedy_size);
   result.greedy = fitness();
-  if (options_.generations == 0) return result;
+  if (options_.is_greedy) {
+    result.best = result.greedy + close_doubtful_holes();
+    return result;
+  }
   first_population(std::min<std::size_t>(options_.population, 2 + 2 * bits_.size()));
   const auto better = [](const Member& a, const Member& b) { return a.fitness < b.fitness; };
   int stale = 0;

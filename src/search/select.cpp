@@ -20,7 +20,8 @@ namespace {
 SearchOptions options_for(const SamplingProfile& sampling, const BoundaryLoopOptions& options) {
   SearchOptions o;
   o.population = options.rim_population;
-  o.generations = options.rim_generations;
+  o.is_greedy = options.search == RimSearch::Greedy;
+  o.generations = options.search == RimSearch::Genetic ? options.rim_generations : 0;
   if (sampling.noise.noise == 0) return o;
   // Noise spreads the sizes of triangles, but opens no holes as chance does among random points.
   constexpr double by_noise = model::FitnessModel{}.hole_prior_noise;
@@ -66,7 +67,7 @@ FirstFound search_twice(const SelectionSearch& search, const TriangleSet& set, b
   summary.history.assign(options.generations, {});
   SearchResult first = search.find({});
   summary = added(std::move(summary), first);
-  if (!tells_even || options.generations == 0) return {std::move(first.selected), {}, std::move(summary)};
+  if (!tells_even) return {std::move(first.selected), {}, std::move(summary)};
   std::vector<double> even = evenness(set.points(), walk_rims(set, first.selected, run), run);
   SearchResult again = search.find_again(even, first.selected);
   return {std::move(again.selected), std::move(even), added(std::move(summary), again)};
@@ -102,7 +103,7 @@ SelectedSurface select(TriangleSet set, const Samples& samples, const SamplingPr
   if (sampling.is_range_image) {
     SelectedSurface all{std::move(set), {}, {}};
     all.selection.assign(all.set.size(), 1);
-    all.summary.history.assign(options.rim_generations, {});
+    all.summary.history.assign(options_for(sampling, options).generations, {});
     return all;
   }
   const SearchOptions o = options_for(sampling, options);
@@ -122,7 +123,6 @@ SelectedSurface select(TriangleSet set, const Samples& samples, const SamplingPr
   const auto excluded = find_excluded(set, samples, sampling, run);
   const SearchResult open = SelectionSearch(set, sizes, samples, excluded, o, run).find(first.even);
   SelectionSummary summary = added(std::move(first.summary), open);
-  if (o.generations == 0) return {std::move(set), open.selected, std::move(summary)};
   const SearchResult ears =
       SelectionSearch(set, sizes, samples, excluded, along_rims(o), run).find(first.even);
   Selection selection = open_ears(set, open.selected, ears.selected, model::ear_most, run);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Real scans with known boundary, from the folders that the environment variable RIMLINE_DATA lists. Without
 // it these tests have nothing to check, and scripts/test says so.
+#include "data.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <set>
 #include <string>
 
-#include "data.h"
 #include "mesh/edges.h"
 #include "rimline/arrange.h"
 #include "rimline/io.h"
@@ -145,19 +146,19 @@ double points_f1(const Cloud& cloud, const std::vector<Loop>& loops) {
 }
 
 TEST_CASE("rims of real scans that sizes alone get wrong are made right by the search") {
-  // A rim of 16 points in a grid of rows, a jagged cut, and a density border: points F1 without and with it.
+  // A rim of 16 points in a grid of rows, and a density border: points F1 without and with it.
   struct Case {
     const char* set;
     double least;
   };
-  for (const auto& [set, least] : {Case{"halftunnel", 1}, Case{"isis_open", 0.92}, Case{"mannequin", 1}}) {
+  for (const auto& [set, least] : {Case{"halftunnel", 1}, Case{"mannequin", 1}}) {
     const std::string path = path_of(set);
     if (path.empty()) continue;
     CAPTURE(set);
     const Cloud cloud = read_cloud(path, {});
     Options options = preset_options(Preset::Default);
     CHECK(points_f1(cloud, find_boundary(cloud.points, options, {}).loops) >= least);
-    options.boundary_loops.rim_generations = 0;
+    options.boundary_loops.search = RimSearch::Greedy;
     CHECK(points_f1(cloud, find_boundary(cloud.points, options, {}).loops) < least - 0.02);
   }
 }
