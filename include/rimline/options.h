@@ -151,7 +151,7 @@ struct MeshOptions {
   Point up = {0, 0, 1};      // the mesh faces this way on average, where the input has no normals
   int refine_rounds = 4;     // upper bound of the rounds of triangulating the map anew [ours]
   HandlePolicy handles = HandlePolicy::Repair;
-  bool strict = false;  // a component that can not be meshed makes the whole run fail [ours]
+  bool strict = false;  // a point in no triangle makes the whole run fail, unless it is stray [ours]
 };
 
 struct Options {
@@ -267,8 +267,8 @@ void visit_fields(AnyOptions& o, Visit&& visit) {
   field("handles", o.mesh.handles, HandlePolicy::Repair, HandlePolicy::Repair,
         "short handles, which are noise: repair cuts or closes them where that changes few triangles [ours]",
         UsedBy::Default);
-  field("strict", o.mesh.strict, false, true, "fail with status 3 where a component can not be meshed [ours]",
-        UsedBy::Default);
+  field("strict", o.mesh.strict, false, true,
+        "fail with status 3 where a point is in no triangle, unless it is stray [ours]", UsedBy::Default);
 }
 
 }  // namespace rimline

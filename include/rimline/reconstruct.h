@@ -34,8 +34,8 @@ class NoMesh : public Error {
 };
 
 // The whole method. Throws what find_boundary throws; once points are scored also NoMesh, with the code of
-// the reason. A component that can not be meshed is listed in the report, and is an error under
-// MeshOptions::strict only.
+// the reason. Points in no triangle are listed in the report, and are an error under MeshOptions::strict
+// only.
 ReconstructResult reconstruct(Points points, const Options& options, const Run& run, const Given& given = {});
 
 }  // namespace rimline

@@ -79,11 +79,10 @@ std::optional<Error> why_no_mesh(const MappedMesh& mesh, bool strict) {
     return Error(ErrorCode::NoClosedLoop,
                  "no triangle can be given: the points lie on no surface that their neighbourhoods tell");
   }
-  constexpr std::size_t least = 10;  // points: fewer are no surface
-  const auto is_part = [](const LeftOut& part) { return part.component != none || part.ids.size() >= least; };
-  const auto missing = std::ranges::count_if(mesh.left_out, is_part);
-  if (!strict || missing == 0) return {};
-  const LeftOut& first = *std::ranges::find_if(mesh.left_out, is_part);
+  if (!strict || mesh.left_out.empty()) return {};
+  const std::size_t missing = mesh.left_out.size();
+  const LeftOut& first =
+      *std::ranges::max_element(mesh.left_out, {}, [](const LeftOut& part) { return part.ids.size(); });
   return Error(ErrorCode::NotADisc,
                fmt::format("{} {} not in the mesh, and strict asks for all; the largest: {}", missing,
                            missing == 1 ? "part is" : "parts are", first.cause),

@@ -23,8 +23,8 @@ LeftOut points_left_out(const PreparedPoints& prepared, const std::vector<Index>
 // (by their six nearest neighbours), the largest first; in ids of the input.
 std::vector<LeftOut> describe_left_out(const PreparedPoints& prepared, const Surface& surface);
 
-// The reason why there is no mesh to return: no triangle, or under `strict` a missing part of the surface: a
-// component that failed, or a group of at least ten points. None where there is a mesh.
+// The reason why there is no mesh to return: no triangle, or under `strict` anything that is left out. None
+// where there is a mesh.
 std::optional<Error> why_no_mesh(const MappedMesh& mesh, bool strict);
 
 }  // namespace rimline::pipeline
