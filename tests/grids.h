@@ -119,4 +119,64 @@ inline Mesh moebius(int along, int across, double radius = 1, double width = 0.8
   return mesh;
 }
 
+// The surface of a square plate of 2 n + 1 cubes a side and one cube thick, with n x n square holes through
+// it: n n handles on at most 8 (n + 1) (n + 1) points.
+inline Mesh pierced_plate(int n) {
+  const int size = 2 * n + 1, stride = size + 1;
+  const auto solid = [&](int i, int j, int k) {
+    return i >= 0 && j >= 0 && i < size && j < size && k == 0 && !(i % 2 == 1 && j % 2 == 1);
+  };
+  Mesh mesh;
+  std::vector<Index> number(static_cast<std::size_t>(2 * stride * stride), none);
+  const auto corner = [&](std::array<int, 3> at) {
+    Index& id = number[static_cast<std::size_t>((at[2] * stride + at[1]) * stride + at[0])];
+    if (id == none) {
+      id = static_cast<Index>(mesh.points.size());
+      mesh.points.push_back({1.0 * at[0], 1.0 * at[1], 1.0 * at[2]});
+    }
+    return id;
+  };
+  // The side of a cube across axis d, low or high, counter-clockwise from outside.
+  const auto add_side = [&](std::array<int, 3> cube, int d, int high) {
+    std::array<Index, 4> ring{};
+    for (int s = 0; s < 4; ++s) {
+      std::array<int, 3> at = cube;
+      at[d] += high;
+      at[(d + 1) % 3] += s == 1 || s == 2;
+      at[(d + 2) % 3] += s >= 2;
+      ring[high ? s : 3 - s] = corner(at);
+    }
+    mesh.triangles.push_back({ring[0], ring[1], ring[2]});
+    mesh.triangles.push_back({ring[0], ring[2], ring[3]});
+  };
+  for (int j = 0; j < size; ++j) {
+    for (int i = 0; i < size; ++i) {
+      if (!solid(i, j, 0)) continue;
+      for (int d = 0; d < 3; ++d) {
+        for (int high = 0; high < 2; ++high) {
+          std::array<int, 3> beside{i, j, 0};
+          beside[d] += high ? 1 : -1;
+          if (!solid(beside[0], beside[1], beside[2])) add_side({i, j, 0}, d, high);
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+// A ramp that winds so many times about an axis, at radii 1 to 2.
+inline Mesh winding_ramp(int turns) {
+  constexpr int about = 40, across = 4;
+  Mesh mesh;
+  for (int i = 0; i <= turns * about; ++i) {
+    const double angle = 2 * std::numbers::pi * i / about;
+    for (int j = 0; j <= across; ++j) {
+      const double radius = 1 + 1.0 * j / across;
+      mesh.points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.1 * angle});
+    }
+  }
+  mesh.triangles = cells(across, turns * about, [](int j, int i) { return Index{i * (across + 1) + j}; });
+  return mesh;
+}
+
 }  // namespace rimline::shapes

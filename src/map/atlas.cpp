@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/domain_traits.h"
 #include "base/vec.h"
 #include "map/angle_error.h"
 #include "map/bisect.h"
@@ -70,8 +71,13 @@ constexpr Index large = 200'000;  // vertices; the outline first, all that is tr
 
 }  // namespace
 
-Atlas::Atlas(const ChartOptions& options, const AngleError& most_error, const Run& run)
-    : options_(options), run_(run), most_error_(most_error), is_free_(options.charts != 1) {}
+Atlas::Atlas(const ChartOptions& options, const AngleError& most_error, std::int64_t triangles,
+             const Run& run)
+    : options_(options),
+      run_(run),
+      most_error_(most_error),
+      is_free_(options.charts != 1),
+      triangles_(triangles) {}
 
 Atlas::Outlook Atlas::look(const OpenMesh& open) {
   constexpr double rough = 1e-6;  // residual of maps that only decide where to cut
@@ -114,7 +120,23 @@ std::optional<ChartMap> Atlas::in_one(const OpenMesh& open) const {
   const AngleError most = angle_error(open, disc->uv);
   if (map && !is_above(error, most)) return map;
   if (map) map = evened_chart(open, *disc, {}, run_).map;
-  return map && !is_above(angle_error(open, map->uv), most) ? std::move(map) : std::move(disc);
+  if (map && !is_above(angle_error(open, map->uv), most)) return map;
+  return disc;
+}
+
+// The whole in one chart: where slits alone lead to a free map that keeps angles as the disc's does, with
+// them.
+Chart Atlas::whole(OpenMesh open) {
+  constexpr Index small = 10'000;  // vertices: on larger charts the search takes a minute and more
+  Chart chart{std::move(open), {}, 0};
+  chart.map = in_one(chart.open);
+  if (!chart.map || traits(chart.map->kind).released || chart.open.vertices() > small) return chart;
+  auto slitted = with_slits(chart.open, look(chart.open));
+  if (!slitted) {
+    if (const auto to_cones = without_cones(chart.open)) slitted = with_slits(*to_cones, look(*to_cones));
+  }
+  const auto error = [](const Chart& of) { return angle_error(of.open, of.map->uv); };
+  return slitted && !is_above(error(*slitted), error(chart)) ? std::move(*slitted) : std::move(chart);
 }
 
 AngleError Atlas::error() const {
@@ -141,6 +163,15 @@ bool Atlas::is_bent(const Chart& chart) const {
   return is_above(error, most_error_) || error.corner > least_error_of_disc(chart.open).corner + much;
 }
 
+// Small shares of a surface get few steps, or none: where many charts are needed, cuts are quicker.
+std::int64_t Atlas::work_for(const OpenMesh& open) const {
+  constexpr double most_steps = 100, full_share = 1.0 / 40;
+  const auto own = static_cast<double>(open.mesh.size()), whole = static_cast<double>(triangles_);
+  const double steps = most_steps * own / (full_share * whole);
+  if (steps >= most_steps) return work_left_;
+  return std::min(work_left_, static_cast<std::int64_t>(steps * own));
+}
+
 std::optional<Chart> Atlas::mapped(OpenMesh open, const Outlook& outlook) {
   constexpr double isometry = 0.03, more = 0.1;
   constexpr std::int64_t few = 3, most = 30;  // steps between two looks at the stretch, and looks
@@ -149,13 +180,14 @@ std::optional<Chart> Atlas::mapped(OpenMesh open, const Outlook& outlook) {
     work_left_ -= made.work;
     chart.map = std::move(made.map);
   };
-  take_over(free_chart(chart.open, outlook.turning, options_.residual, {2 * work_left_ / 3, isometry}, run_));
+  take_over(free_chart(chart.open, outlook.turning, options_.residual,
+                       {2 * work_for(chart.open) / 3, isometry}, run_));
   if (chart.map && !holds(chart) && promises(outlook.stretch)) {
     Chart other{chart.open, outline_first_chart(chart.open, outlook.turning, options_.residual, run_), 0};
     if (other.map && holds(other) && !is_bent(other)) chart.map = std::move(other.map);
   }
   const std::int64_t round = few * chart.open.mesh.size();
-  const std::int64_t least_left = std::max(work_left_ / 2, work_left_ - most * round);
+  const std::int64_t least_left = work_left_ - std::min(work_for(chart.open) / 2, most * round);
   bool evened = false;
   while (chart.map && !holds(chart) && work_left_ - round > least_left) {
     const std::int64_t before = work_left_;
@@ -215,8 +247,7 @@ bool Atlas::cut(const OpenMesh& open, Index vertex) {
 
 void Atlas::treat(OpenMesh open) {
   if (!is_free_) {
-    Chart chart{std::move(open), {}, 0};
-    chart.map = in_one(chart.open);
+    Chart chart = whole(std::move(open));
     failed_ = failed_ || !chart.map;
     done_.push_back(std::move(chart));
     return;

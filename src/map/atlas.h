@@ -23,8 +23,9 @@ struct Chart {
 
 class Atlas {
  public:
-  // `most_error`: above which lengths are not kept at the cost of angles; 0: they never are.
-  Atlas(const ChartOptions& options, const AngleError& most_error, const Run& run);
+  // `most_error`: above which lengths are not kept at the cost of angles; 0: they never are. `triangles`: of
+  // the whole surface, of which the atlas may have a part.
+  Atlas(const ChartOptions& options, const AngleError& most_error, std::int64_t triangles, const Run& run);
 
   // Maps the parts, which are discs with holes; where the choice is free, cuts until the bounds hold.
   void take(std::vector<OpenMesh> parts);
@@ -54,8 +55,10 @@ class Atlas {
   bool promises(const Stretch& stretch) const;
   bool is_near(const Stretch& stretch) const;
   std::optional<ChartMap> in_one(const OpenMesh& open) const;
+  Chart whole(OpenMesh open);
   bool holds(const Chart& chart) const;
   bool is_bent(const Chart& chart) const;
+  std::int64_t work_for(const OpenMesh& open) const;
   std::optional<Chart> mapped(OpenMesh open, const Outlook& outlook);
   std::optional<Chart> with_slits(const OpenMesh& open, Outlook outlook);
   std::optional<OpenMesh> without_cones(const OpenMesh& open);
@@ -66,6 +69,7 @@ class Atlas {
   const Run& run_;
   AngleError most_error_;
   bool is_free_, failed_ = false;
+  std::int64_t triangles_;
   std::int64_t looks_left_ = 0;  // vertices of charts that may yet be looked at
   std::int64_t work_left_ = 0;   // steps of descents times triangles
   std::vector<OpenMesh> open_;

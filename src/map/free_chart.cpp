@@ -152,6 +152,11 @@ std::optional<ChartMap> disc_chart(const OpenMesh& open, double residual, const 
   return where_solved([&] { return to_disc(open, residual, run); });
 }
 
+std::optional<ChartMap> given_chart(const OpenMesh& open, std::vector<UV> uv) {
+  if (!is_valid(open, uv)) return {};
+  return laid_out(open, std::move(uv), {});
+}
+
 FreeChart free_chart(const OpenMesh& open, const std::vector<double>& turning, double residual,
                      const ChartEffort& effort, const Run& run) {
   return where_solved([&] { return first_good(open, turning, residual, effort, run); });

@@ -44,6 +44,9 @@ std::optional<ChartMap> outline_first_chart(const OpenMesh& open, const std::vec
 // Descends from a map of that kind.
 FreeChart evened_chart(const OpenMesh& open, const ChartMap& from, const ChartEffort& effort, const Run& run);
 
+// A given map at the area of the surface, where it is one of that kind.
+std::optional<ChartMap> given_chart(const OpenMesh& open, std::vector<UV> uv);
+
 // The map to the disc, at the area of the surface. None where it flips triangles.
 std::optional<ChartMap> disc_chart(const OpenMesh& open, double residual, const Run& run);
 

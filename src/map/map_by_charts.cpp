@@ -2,6 +2,7 @@
 #include "rimline/map_by_charts.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "map/atlas.h"
 #include "map/bisect.h"
 #include "map/cut_graph.h"
+#include "map/projected_charts.h"
 #include "mesh/edges.h"
 #include "solve/sparse.h"
 
@@ -21,17 +23,15 @@ std::vector<OpenMesh> cut_along(const OpenMesh& open, const Cuts& cuts) {
   return open_parts(open, std::vector<Index>(open.mesh.triangles.size(), 0), cuts);
 }
 
-// Cuts the handles, and separates connected parts.
-std::vector<OpenMesh> without_handles(Points points, const std::vector<Triangle>& triangles) {
+std::vector<OpenMesh> connected_parts(Points points, const std::vector<Triangle>& triangles) {
   const OpenMesh surface = open_surface(points, triangles);
+  return cut_along(surface, Cuts(surface.mesh.triangles.size(), {0, 0, 0}));
+}
+
+std::vector<OpenMesh> without_handles(OpenMesh part) {
+  if (part.genus > 0) return cut_along(part, cut_handles(part));
   std::vector<OpenMesh> whole;
-  for (OpenMesh& part : cut_along(surface, Cuts(surface.mesh.triangles.size(), {0, 0, 0}))) {
-    if (part.genus == 0) {
-      whole.push_back(std::move(part));
-    } else {
-      std::ranges::move(cut_along(part, cut_handles(part)), std::back_inserter(whole));
-    }
-  }
+  whole.push_back(std::move(part));
   return whole;
 }
 
@@ -46,22 +46,22 @@ std::vector<OpenMesh> discs_of(const OpenMesh& whole, bool in_two) {
 }
 
 Atlas charts_within(const OpenMesh& whole, const ChartOptions& options, const AngleError& most_error,
-                    const Run& run) {
-  Atlas atlas(options, most_error, run);
+                    std::int64_t triangles, const Run& run) {
+  Atlas atlas(options, most_error, triangles, run);
   atlas.take(discs_of(whole, options.charts != 1));
   if (options.charts == 0 && atlas.charts().size() > 1) atlas.join(whole);
   return atlas;
 }
 
 // Lengths are kept at the cost of angles as far as these are not worse than in the disc's map.
-Atlas charts_of(const OpenMesh& whole, const ChartOptions& options, const Run& run) {
+Atlas charts_of(const OpenMesh& whole, const ChartOptions& options, std::int64_t triangles, const Run& run) {
   constexpr Index large = 200'000;  // vertices
   AngleError most_error;
   if (options.charts != 1 && !whole.loops.empty() && whole.vertices() <= large)
     most_error = error_of_disc(whole, options.residual, run);
-  Atlas atlas = charts_within(whole, options, most_error, run);
+  Atlas atlas = charts_within(whole, options, most_error, triangles, run);
   if (!(most_error.corner > 0) || atlas.failed() || !is_above(atlas.error(), most_error)) return atlas;
-  return charts_within(whole, options, {}, run);
+  return charts_within(whole, options, {}, triangles, run);
 }
 
 // From (0, 0) on.
@@ -117,9 +117,18 @@ ChartedMap map_by_charts(Points points, const std::vector<Triangle>& triangles, 
                          const Run& run) {
   Arena arena(run);
   return arena.execute([&] {
-    Atlas atlas(options, {}, run);
-    for (const OpenMesh& whole : without_handles(points, triangles))
-      atlas.append(charts_of(whole, options, run));
+    const auto count = static_cast<std::int64_t>(triangles.size());
+    Atlas atlas(options, {}, count, run);
+    for (OpenMesh& part : connected_parts(points, triangles)) {
+      if (options.charts != 1 && is_tangled(part)) {
+        if (auto charts = projected_charts(part, run)) {
+          std::ranges::move(*charts, std::back_inserter(atlas.charts()));
+          continue;
+        }
+      }
+      for (const OpenMesh& whole : without_handles(std::move(part)))
+        atlas.append(charts_of(whole, options, count, run));
+    }
     if (options.charts > 1) atlas.cut_to(static_cast<std::size_t>(options.charts));
     ChartedMap map;
     if (atlas.failed()) return map;

@@ -152,12 +152,18 @@ std::vector<Part> parts_of(const EditableMesh& mesh) {
   return parts;
 }
 
-// Whether it is a sphere, once its rims are capped.
-bool is_simple(const Part& part, const std::vector<Rim>& rims) {
+// 2 less its Euler number, once its rims are capped: 0 for a sphere, 2 for each handle.
+std::size_t lack_of_euler(const Part& part, const std::vector<Rim>& rims) {
   std::size_t open = 0;
   for (const Rim& rim : rims) open += rim.size();
   const std::size_t edges = (3 * part.triangles + open) / 2;
-  return part.vertices.size() + part.triangles + rims.size() == edges + 2;
+  return edges + 2 - (part.vertices.size() + part.triangles + rims.size());
+}
+
+// Whether handles are so many, one for fifty points, that repairs of small ones make no surface of it.
+bool is_hopeless(const Part& part, std::size_t lack) {
+  constexpr std::size_t points_a_handle = 50, few = 32;
+  return lack > 2 * few && lack * points_a_handle > 2 * part.vertices.size();
 }
 
 // Repairs a component until nothing is found.
@@ -168,7 +174,8 @@ void repair_part(EditableMesh& mesh, const Part& part, std::vector<HandleRepair>
   constexpr std::size_t least_looks = 1000, most_looks = 5000;     // vicinities
   constexpr std::size_t least_steps = 200'000, per_triangle = 10;  // vertices of rims
   const std::vector<Rim> before = walk_rims(mesh, part.vertices);
-  if (is_simple(part, before)) return;
+  const std::size_t lack = lack_of_euler(part, before);
+  if (lack == 0 || is_hopeless(part, lack)) return;
   Rims rims(mesh.vertices());
   for (const Rim& rim : before) rims.put(rim);
   Budget budget{std::max(least_budget, part.triangles / 100), part.triangles / 100,

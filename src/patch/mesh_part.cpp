@@ -115,6 +115,16 @@ bool is_disc_of(const std::vector<MendedPart>& mended, std::size_t loops) {
          mended[0].loops.size() == loops;
 }
 
+// Whether handles are so many that no disc over them is better: such a cloud is no surface, and a disc's
+// mesh and map of it take several times as long as all else.
+bool is_hopeless(const std::vector<MendedPart>& mended, std::size_t points) {
+  constexpr std::size_t points_a_handle = 200, few = 8;
+  std::size_t handles = 0;
+  for (const MendedPart& part : mended)
+    handles += static_cast<std::size_t>(part.orientable ? part.genus : part.genus / 2);
+  return handles > few && handles > points / points_a_handle;
+}
+
 // A mended component alone, in ids of the whole.
 struct Alone {
   Component component;
@@ -181,7 +191,8 @@ std::vector<Component> mesh_any(const Whole& whole, const PatchInput& part, cons
       {local.points, local.neighbours(whole), local.spacing, survey.triangles, loops}, options.handles, run);
   const bool same = is_disc_of(mended, loops.size());
   std::optional<Component> disc;
-  if (simple) disc = mesh_as_disc(whole, local, part, {}, run);
+  if (simple && !(survey.end_at_loops && is_hopeless(mended, part.points.size())))
+    disc = mesh_as_disc(whole, local, part, {}, run);
   const bool stands = !survey.end_at_loops || (same && disc && !is_suspect(disc->patch, local.options));
   if (disc && stands) return {std::move(*disc)};
   std::vector<Component> components;

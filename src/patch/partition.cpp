@@ -140,19 +140,45 @@ bool any_two_outer(const std::vector<Loop>& loops, const std::vector<Index>& loo
   return std::adjacent_find(found.begin(), found.end()) != found.end();
 }
 
+// The triangle of each directed edge, sorted; the last of several.
+class DirectedEdges {
+ public:
+  struct Edge {
+    Index from, to, triangle;
+    auto operator<=>(const Edge&) const = default;
+  };
+
+  explicit DirectedEdges(const std::vector<Triangle>& triangles) {
+    edges_.reserve(3 * triangles.size());
+    for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
+      for (int c = 0; c < 3; ++c) edges_.push_back({triangles[t][c], triangles[t][next(c)], t});
+    }
+    std::ranges::sort(edges_);
+  }
+
+  const std::vector<Edge>& all() const { return edges_; }
+  // None where no triangle has the edge.
+  Index triangle_at(Index from, Index to) const {
+    const auto after = std::ranges::upper_bound(edges_, std::pair(from, to), {},
+                                                [](const Edge& e) { return std::pair(e.from, e.to); });
+    if (after == edges_.begin() || (after - 1)->from != from || (after - 1)->to != to) return none;
+    return (after - 1)->triangle;
+  }
+
+ private:
+  std::vector<Edge> edges_;
+};
+
 // As join_along() for each triangle, but a point belongs to one edge-connected component of triangles: to the
 // one with an edge of a loop at the point, else to the one with most triangles there.
 void join_by_sheets(const std::vector<Triangle>& triangles, const std::vector<Loop>& loops,
                     const std::vector<Index>& loop_of, UnionFind& parts) {
   const Index n = static_cast<Index>(loop_of.size());
   UnionFind sheets(triangles.size());
-  std::map<std::pair<Index, Index>, Index> triangle_at;  // of each directed edge
-  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
-    for (int c = 0; c < 3; ++c) triangle_at[{triangles[t][c], triangles[t][next(c)]}] = t;
-  }
-  for (const auto& [edge, t] : triangle_at) {
-    const auto other = triangle_at.find({edge.second, edge.first});
-    if (other != triangle_at.end()) sheets.join(t, other->second);
+  const DirectedEdges edges(triangles);
+  for (const auto& [from, to, t] : edges.all()) {
+    const Index other = edges.triangle_at(to, from);
+    if (other != none) sheets.join(edges.triangle_at(from, to), other);
   }
   std::map<std::pair<Index, Index>, Index> count;  // of triangles, by point and sheet
   for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
@@ -168,10 +194,10 @@ void join_by_sheets(const std::vector<Triangle>& triangles, const std::vector<Lo
   for (const Loop& loop : loops) {
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
       const Index a = loop.points[i], b = loop.points[next_in(i, loop.points.size())];
-      const auto at = triangle_at.find({a, b});
-      if (at == triangle_at.end()) continue;
+      const Index at = edges.triangle_at(a, b);
+      if (at == none) continue;
       for (const Index v : {a, b}) {
-        if (v < n) sheet_of[v] = sheets.find(at->second);
+        if (v < n) sheet_of[v] = sheets.find(at);
       }
     }
   }

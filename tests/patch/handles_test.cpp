@@ -76,6 +76,15 @@ void check_disc(const Mesh& mesh, std::size_t least_repairs) {
   }
 }
 
+TEST_CASE("a tangle of handles is left as it is") {
+  const Mesh plate = shapes::pierced_plate(8);  // each handle is a curve of four edges
+  EditableMesh mesh(plate.points, plate.triangles);
+  CHECK(repair_handles(mesh, {}).empty());
+  const Mesh few = shapes::pierced_plate(3);
+  EditableMesh other(few.points, few.triangles);
+  CHECK(!repair_handles(other, {}).empty());
+}
+
 }  // namespace
 
 TEST_CASE("many small handles of one surface are all mended") {
