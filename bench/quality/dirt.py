@@ -182,7 +182,7 @@ def of_layers(options, methods, folder):
                     right = len(rims(clean[method].triangles))
                     yield {"kind": "two layers", "amount": gap, "set": shape, "seed": seed, "method": method, "status": answer.status,
                            "mixed": mixed, "parted": mixed == 0 and loops == 2 * right, "one": loops == right and len(upper) > 0,
-                           "sure": loops not in (right, 2 * right) and any(p and p > 0.8 for p in answer.loops),
+                           "sure": mixed > 0.01 and any(p and p > 0.8 for p in answer.loops),
                            "none": answer.status == 3, "intersections": answer.intersections, "seconds": answer.seconds}
 
 

@@ -132,6 +132,13 @@ inline constexpr double step_points = 8;
 // spacings: steps from this on part the surface; shorter ones are noise that is removed as such. [hand:
 // sampled shapes keep their loops up to 1, not from 2 on]
 inline constexpr double terrace_least = 1.2;
+// spacings: longer ones part surfaces. [hand: a depth camera's wall has 3.2; a plate before a wall 12]
+inline constexpr double terrace_longest = 6;
+// count: levels of a surface in terraces; fewer are plates. [hand; no other tried]
+inline constexpr std::size_t terrace_levels = 3;
+// ratio: of the spacing when steps are squeezed to that before; where it is less, levels lie over each other,
+// as layers do. [hand: 0.95 on a depth camera's wall, 0.7 where two layers coincide]
+inline constexpr double terrace_beside = 0.85;
 // spacings: the length of a step while neighbours across it are looked for. [hand: 0.3 to 1 alike]
 inline constexpr double terrace_squeezed = 0.4;
 // cosine: of the angle of the normal to the steps, from which on points are moved. [derived: 60 degrees]

@@ -82,7 +82,9 @@ std::optional<Terraces> terraces_along(Points points, const Neighbours& neighbou
   std::vector<double> values;
   for (const Point& p : points) values.push_back(value_of(p, terraces));
   auto levels = find_levels(std::move(values), spacing);
-  if (!levels || levels->quantum < model::terrace_least * spacing) return {};
+  if (!levels || levels->at.size() < model::terrace_levels) return {};
+  const double step = levels->quantum / spacing;
+  if (step < model::terrace_least || step > model::terrace_longest) return {};
   terraces.levels = *std::move(levels);
   if (!are_terraces(points, neighbours, terraces)) return {};
   return terraces;
@@ -172,6 +174,7 @@ std::vector<Point> without_terraces(Points points, const Terraces& terraces,
     squeezed[i] = points[i] + (step * level[i] - value) * direction_at(points[i], terraces);
   }
   const Neighbours neighbours = find_neighbours(squeezed, model::more_neighbours, run);
+  if (median(local_spacing(squeezed, neighbours, run)) < model::terrace_beside * median(spacing)) return {};
   const std::vector<Frame> frames = fit_frames(squeezed, neighbours, run);
   std::vector<char> moves(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -92,6 +92,19 @@ TEST_CASE("a slope without its terraces is nearer to the slope, and no point goe
   CHECK(after < 0.5 * before);
 }
 
+TEST_CASE("plates at different heights, and a stack of sheets, are no terraces") {
+  std::vector<Point> plates, stack;
+  for (int i = 0; i < 900; ++i) {
+    plates.push_back({1.0 * (i % 30), 1.0 * (i / 30), i % 30 < 15 ? 0.0 : 4.0});
+    for (int z = 0; z < 5; ++z)
+      stack.push_back({1.0 * (i % 30) + 0.2 * z, 1.0 * (i / 30) + 0.3 * z, 2.5 * z});
+  }
+  for (const auto& points : {plates, stack}) {
+    const auto result = find_boundary(points, preset_options(Preset::Default), {});
+    CHECK(result.report.steps.removed == 0);
+  }
+}
+
 TEST_CASE("rows of a scan are no terraces") {
   std::vector<Point> rows;
   for (int i = 0; i < 20; ++i) {
