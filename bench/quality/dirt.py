@@ -289,7 +289,8 @@ def main():
     if options.json:
         with open(options.json, "w") as file:
             json.dump(parts, file, indent=1)
-    text = page(parts, options, f"bench/quality/dirt --seeds {options.seeds} --sets {options.sets} --points {options.points}")
+    text = page(parts, options, f"bench/quality/dirt --seeds {options.seeds} --sets {options.sets} --points {options.points} "
+                f"--hopeless-points {options.hopeless_points} --limit {options.limit:g}")
     if options.markdown:
         with open(options.markdown, "w") as file:
             file.write(text)
