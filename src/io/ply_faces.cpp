@@ -69,6 +69,7 @@ void read_binary_faces(const PlyHeader& header, Faces& faces, const Source& sour
     return here;
   };
   for (const PlyElement& element : header.elements) {
+    if (element.properties.empty()) continue;  // no bytes, however many records the header tells
     for (std::uint64_t i = 0; i < element.count; ++i) {
       for (const PlyProperty& property : element.properties) {
         const std::size_t size = size_in_bytes(property.type);

@@ -57,6 +57,16 @@ TEST_CASE("polygons become fans, and ids may count back from the last vertex") {
   CHECK(read_mesh(ply, {}).triangles == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
 }
 
+TEST_CASE("records without properties have no bytes, however many a PLY says there are") {
+  const TemporaryDirectory folder;
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement nothing 3445173350830411\nelement vertex 3\n"
+      "property char x\nproperty char y\nproperty char z\nelement face 1\n"
+      "property list uchar uchar vertex_indices\nend_header\n";
+  for (const int byte : {0, 0, 0, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2}) bytes += static_cast<char>(byte);
+  CHECK(read_mesh(folder.file("a.ply", bytes), {}).triangles == std::vector<Triangle>{{0, 1, 2}});
+}
+
 TEST_CASE("a mesh without faces, or whose faces name no vertex, is refused") {
   const TemporaryDirectory folder_none_at_all;
   const std::string none_at_all = folder_none_at_all.file("points.xyz", "0 0 0\n1 0 0\n0 1 0\n");
