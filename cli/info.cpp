@@ -69,9 +69,7 @@ std::string steps_line(const std::vector<Point>& points, double spacing, int exp
   const std::array<std::pair<const char*, double Point::*>, 3> axes{
       {{"x", &Point::x}, {"y", &Point::y}, {"z", &Point::z}}};
   for (const auto& [name, axis] : axes) {
-    std::vector<double> values;
-    for (const Point& p : points) values.push_back(p.*axis);
-    if (const auto levels = find_levels(std::move(values), spacing))
+    if (const auto levels = find_levels(points, axis, spacing))
       found +=
           fmt::format("{}{} {:.6g}", found.empty() ? "" : ", ", name, std::ldexp(levels->quantum, exponent));
   }

@@ -291,11 +291,7 @@ def main():
             json.dump(parts, file, indent=1)
     text = page(parts, options, f"bench/quality/dirt --seeds {options.seeds} --sets {options.sets} --points {options.points} "
                 f"--hopeless-points {options.hopeless_points} --limit {options.limit:g}")
-    if options.markdown:
-        with open(options.markdown, "w") as file:
-            file.write(text)
-    else:
-        print(text)
+    map_files.put_page(text, options.markdown)
 
 
 if __name__ == "__main__":

@@ -78,3 +78,12 @@ def read_answer(path):
         seconds = float(np.fromfile(file, "<f8", 1)[0])
         corners = _read_array(file, "<f8", 6).reshape(-1, 3, 2)
         return seconds, corners, _read_array(file, "<i4", 1).ravel()
+
+
+def put_page(text, path):
+    """Writes a page, or prints it where there is no path."""
+    if path:
+        with open(path, "w") as file:
+            file.write(text)
+    else:
+        print(text)

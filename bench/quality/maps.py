@@ -215,11 +215,7 @@ def main():
     command = " ".join(["bench/quality/maps", "--most-points", str(options.most_points), "--limit", f"{options.limit:g}"] +
                        (["--only", *options.only] if options.only else []))
     text = page(rows, options.commit, command)
-    if options.markdown:
-        with open(options.markdown, "w") as file:
-            file.write(text)
-    else:
-        print(text)
+    map_files.put_page(text, options.markdown)
 
 
 if __name__ == "__main__":

@@ -38,9 +38,9 @@ struct Levels {
   double quantum = 0;         // the median step, in the unit of the points
 };
 
-// The levels of the values; none where they are not in steps. `spacing`: of the points; steps of less than a
-// twentieth of it are no steps.
-std::optional<Levels> find_levels(std::vector<double> values, double spacing);
+// The levels of a coordinate of the points; none where it is not in steps. `spacing`: of the points; steps of
+// less than a twentieth of it are no steps.
+std::optional<Levels> find_levels(Points points, double Point::*axis, double spacing);
 
 // Terraces: steps so high that they part a surface. They lie along an axis, or along the rays of a camera.
 struct Terraces {

@@ -16,4 +16,7 @@ inline double quantile(std::vector<double>& values, double share) {
   return *at;
 }
 
+// The value in the middle, by quantile().
+inline double median(std::vector<double> values) { return quantile(values, 0.5); }
+
 }  // namespace rimline

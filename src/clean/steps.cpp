@@ -17,8 +17,6 @@ namespace {
 
 constexpr std::size_t most_measured = 4096;  // [speed]
 
-double median(std::vector<double> values) { return quantile(values, 0.5); }
-
 double value_of(Point p, const Terraces& terraces) {
   if (terraces.centre) return distance(p, *terraces.centre);
   return std::array{p.x, p.y, p.z}[static_cast<std::size_t>(terraces.axis)];
@@ -42,22 +40,17 @@ std::vector<double> count_steps(const std::vector<double>& at) {
   return index;
 }
 
-// The level of a value, in steps; between levels, and beyond them, there are broken numbers.
-double level_of(double value, const Levels& levels) {
-  const auto above = std::ranges::lower_bound(levels.at, value);
-  const auto i = std::clamp<std::ptrdiff_t>(above - levels.at.begin(), 1,
-                                            static_cast<std::ptrdiff_t>(levels.at.size()) - 1);
-  const double low = levels.at[i - 1], high = levels.at[i];
-  return levels.index[i - 1] + (levels.index[i] - levels.index[i - 1]) * (value - low) / (high - low);
+// The line through the two of `from`, ascending, that are nearest around x and their values `to`, at x.
+double interpolate(const std::vector<double>& from, const std::vector<double>& to, double x) {
+  const auto above = std::ranges::lower_bound(from, x);
+  const auto i = std::clamp<std::ptrdiff_t>(above - from.begin(), 1, std::ssize(from) - 1);
+  return to[i - 1] + (to[i] - to[i - 1]) * (x - from[i - 1]) / (from[i] - from[i - 1]);
 }
 
-double value_at(double level, const Levels& levels) {
-  const auto above = std::ranges::lower_bound(levels.index, level);
-  const auto i = std::clamp<std::ptrdiff_t>(above - levels.index.begin(), 1,
-                                            static_cast<std::ptrdiff_t>(levels.at.size()) - 1);
-  const double low = levels.index[i - 1], high = levels.index[i];
-  return levels.at[i - 1] + (levels.at[i] - levels.at[i - 1]) * (level - low) / (high - low);
-}
+// The level of a value, in steps; between levels, and beyond them, there are broken numbers.
+double level_of(double value, const Levels& levels) { return interpolate(levels.at, levels.index, value); }
+
+double value_at(double level, const Levels& levels) { return interpolate(levels.index, levels.at, level); }
 
 // Whether most points have most of their neighbours on their own level.
 bool are_terraces(Points points, const Neighbours& neighbours, const Terraces& terraces) {
@@ -77,11 +70,47 @@ bool are_terraces(Points points, const Neighbours& neighbours, const Terraces& t
   return 2 * on_terrace > asked;
 }
 
+std::optional<Levels> levels_of(std::vector<double> values, double spacing) {
+  const double apart = model::step_least * spacing;
+  constexpr std::size_t least = 3;  // points of a level [layout]
+  std::ranges::sort(values);
+  Levels levels;
+  std::size_t on_level = 0, wide = 0;
+  for (std::size_t begin = 0, end = 0; begin < values.size(); begin = end) {
+    for (end = begin + 1; end < values.size() && values[end] - values[end - 1] <= apart;) ++end;
+    if (values[end - 1] - values[begin] > apart) wide += end - begin;
+    if (end - begin < least) continue;
+    levels.at.push_back(values[begin + (end - begin) / 2]);
+    on_level += end - begin;
+  }
+  const auto share = static_cast<double>(values.size());
+  if (levels.at.size() < 2 || static_cast<double>(wide) > (1 - model::step_share) * share) return {};
+  if (static_cast<double>(on_level) < model::step_share * share) return {};
+  if (static_cast<double>(levels.at.size()) * model::step_points > share) return {};
+  std::vector<double> gaps;
+  for (std::size_t i = 0; i + 1 < levels.at.size(); ++i) gaps.push_back(levels.at[i + 1] - levels.at[i]);
+  levels.index = count_steps(levels.at);
+  levels.quantum = median(gaps);
+  return levels;
+}
+
+// The levels of value(point) over all points.
+template <class Value>
+std::optional<Levels> levels_along(Points points, double spacing, const Value& value) {
+  const auto of_every = [&](std::size_t stride) {
+    std::vector<double> values;
+    values.reserve(points.size() / stride + 1);
+    for (std::size_t i = 0; i < points.size(); i += stride) values.push_back(value(points[i]));
+    return levels_of(std::move(values), spacing);
+  };
+  // Nearly always a part tells that there are none.
+  if (points.size() > 2 * most_measured && !of_every(points.size() / most_measured)) return {};
+  return of_every(1);
+}
+
 std::optional<Terraces> terraces_along(Points points, const Neighbours& neighbours, double spacing,
                                        Terraces terraces) {
-  std::vector<double> values;
-  for (const Point& p : points) values.push_back(value_of(p, terraces));
-  auto levels = find_levels(std::move(values), spacing);
+  auto levels = levels_along(points, spacing, [&](Point p) { return value_of(p, terraces); });
   if (!levels || levels->at.size() < model::terrace_levels) return {};
   const double step = levels->quantum / spacing;
   if (step < model::terrace_least || step > model::terrace_longest) return {};
@@ -113,39 +142,10 @@ std::vector<double> smooth(std::vector<double> level, const Neighbours& neighbou
   return level;
 }
 
-std::optional<Levels> levels_of(std::vector<double> values, double spacing) {
-  const double apart = model::step_least * spacing;
-  constexpr std::size_t least = 3;  // points of a level [layout]
-  std::ranges::sort(values);
-  Levels levels;
-  std::size_t on_level = 0, wide = 0;
-  for (std::size_t begin = 0, end = 0; begin < values.size(); begin = end) {
-    for (end = begin + 1; end < values.size() && values[end] - values[end - 1] <= apart;) ++end;
-    if (values[end - 1] - values[begin] > apart) wide += end - begin;
-    if (end - begin < least) continue;
-    levels.at.push_back(values[begin + (end - begin) / 2]);
-    on_level += end - begin;
-  }
-  const auto share = static_cast<double>(values.size());
-  if (levels.at.size() < 2 || static_cast<double>(wide) > (1 - model::step_share) * share) return {};
-  if (static_cast<double>(on_level) < model::step_share * share) return {};
-  if (static_cast<double>(levels.at.size()) * model::step_points > share) return {};
-  std::vector<double> gaps;
-  for (std::size_t i = 0; i + 1 < levels.at.size(); ++i) gaps.push_back(levels.at[i + 1] - levels.at[i]);
-  levels.index = count_steps(levels.at);
-  levels.quantum = median(gaps);
-  return levels;
-}
-
 }  // namespace
 
-std::optional<Levels> find_levels(std::vector<double> values, double spacing) {
-  if (values.size() > 2 * most_measured) {  // nearly always a part tells that there are none
-    std::vector<double> part;
-    for (std::size_t i = 0; i < values.size(); i += values.size() / most_measured) part.push_back(values[i]);
-    if (!levels_of(std::move(part), spacing)) return {};
-  }
-  return levels_of(std::move(values), spacing);
+std::optional<Levels> find_levels(Points points, double Point::*axis, double spacing) {
+  return levels_along(points, spacing, [&](Point p) { return p.*axis; });
 }
 
 std::optional<Terraces> find_terraces(Points points, const Neighbours& neighbours,

@@ -21,10 +21,6 @@
 namespace rimline {
 namespace {
 
-std::vector<OpenMesh> halves(const OpenMesh& open, Index vertex) {
-  return open_parts(open, bisect(open, vertex), Cuts(open.mesh.triangles.size(), {0, 0, 0}));
-}
-
 // A vertex of the triangle that is smallest in the map relative to its area in space.
 Index most_stretched(const OpenMesh& open, const std::vector<UV>& uv) {
   Index worst = 0;

@@ -176,4 +176,8 @@ std::vector<Index> bisect(const OpenMesh& open, Index vertex) {
   return label;
 }
 
+std::vector<OpenMesh> halves(const OpenMesh& open, Index vertex) {
+  return open_parts(open, bisect(open, vertex));
+}
+
 }  // namespace rimline

@@ -14,4 +14,7 @@ namespace rimline {
 // parts.
 std::vector<Index> bisect(const OpenMesh& open, Index vertex);
 
+// The parts that it leaves.
+std::vector<OpenMesh> halves(const OpenMesh& open, Index vertex);
+
 }  // namespace rimline

@@ -25,7 +25,7 @@ std::vector<OpenMesh> cut_along(const OpenMesh& open, const Cuts& cuts) {
 
 std::vector<OpenMesh> connected_parts(Points points, const std::vector<Triangle>& triangles) {
   const OpenMesh surface = open_surface(points, triangles);
-  return cut_along(surface, Cuts(surface.mesh.triangles.size(), {0, 0, 0}));
+  return open_parts(surface, std::vector<Index>(surface.mesh.triangles.size(), 0));
 }
 
 std::vector<OpenMesh> without_handles(OpenMesh part) {
@@ -42,7 +42,7 @@ std::vector<OpenMesh> discs_of(const OpenMesh& whole, bool in_two) {
     std::vector<OpenMesh> opened = cut_along(whole, slit(whole, 0, {}));
     if (!opened.front().loops.empty()) return opened;
   }
-  return open_parts(whole, bisect(whole, 0), Cuts(whole.mesh.triangles.size(), {0, 0, 0}));
+  return halves(whole, 0);
 }
 
 Atlas charts_within(const OpenMesh& whole, const ChartOptions& options, const AngleError& most_error,

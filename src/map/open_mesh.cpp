@@ -229,6 +229,10 @@ std::vector<OpenMesh> open_parts(const OpenMesh& whole, const std::vector<Index>
   return parts;
 }
 
+std::vector<OpenMesh> open_parts(const OpenMesh& whole, const std::vector<Index>& label) {
+  return open_parts(whole, label, Cuts(whole.mesh.triangles.size(), {0, 0, 0}));
+}
+
 OpenMesh open_selection(const OpenMesh& whole, const std::vector<Index>& triangles) {
   const std::size_t count = whole.mesh.triangles.size();
   std::vector<Index> part(count, none), local(count, none);

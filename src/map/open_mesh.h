@@ -32,6 +32,8 @@ OpenMesh open_surface(Points points, const std::vector<Triangle>& triangles);
 // triangles that hang together over sides without a cut, in the order of their first triangles. Vertices and
 // triangles are those of the surface that `whole` was cut from.
 std::vector<OpenMesh> open_parts(const OpenMesh& whole, const std::vector<Index>& label, const Cuts& cuts);
+// The same, cut where labels differ alone.
+std::vector<OpenMesh> open_parts(const OpenMesh& whole, const std::vector<Index>& label);
 
 // Some triangles of an open mesh, by ascending positions in it, as a mesh. They need not be connected.
 OpenMesh open_selection(const OpenMesh& whole, const std::vector<Index>& triangles);

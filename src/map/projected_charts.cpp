@@ -11,8 +11,7 @@ namespace rimline {
 namespace {
 
 Point normal_of(const OpenMesh& open, Index t) {
-  const Triangle& v = open.mesh.triangles[t];
-  return unit(cross(open.points[v[1]] - open.points[v[0]], open.points[v[2]] - open.points[v[0]]));
+  return unit(triangle_normal(open.points, open.mesh.triangles[t]));
 }
 
 // The chart of each triangle, by the first of its triangles.
@@ -58,10 +57,9 @@ bool is_tangled(const OpenMesh& whole) {
 }
 
 std::optional<std::vector<Chart>> projected_charts(const OpenMesh& whole, const Run& run) {
-  const Cuts no_cuts(whole.mesh.triangles.size(), {0, 0, 0});
   std::vector<Chart> charts;
   std::vector<Piece> left;
-  for (OpenMesh& open : open_parts(whole, grown_charts(whole), no_cuts)) {
+  for (OpenMesh& open : open_parts(whole, grown_charts(whole))) {
     const Point up = normal_of(open, 0);
     left.push_back({std::move(open), up});
     while (!left.empty()) {
@@ -75,9 +73,7 @@ std::optional<std::vector<Chart>> projected_charts(const OpenMesh& whole, const 
         continue;
       }
       if (chart.open.mesh.size() == 1) return {};
-      const std::vector<Index> half = bisect(chart.open, 0);
-      const Cuts uncut(half.size(), {0, 0, 0});
-      for (OpenMesh& part : open_parts(chart.open, half, uncut)) left.push_back({std::move(part), piece.up});
+      for (OpenMesh& part : halves(chart.open, 0)) left.push_back({std::move(part), piece.up});
     }
   }
   return charts;

@@ -118,8 +118,6 @@ double longest_edge(const MappedMesh& mesh) {
   return std::sqrt(longest);
 }
 
-double median(std::vector<double> values) { return quantile(values, 0.5); }
-
 // The boxes of the components, in the coordinates of the input.
 std::vector<std::pair<Point, Point>> boxes_of(const MappedMesh& mesh, Point origin) {
   std::vector<std::pair<Point, Point>> boxes(mesh.components.size());

@@ -70,12 +70,9 @@ Arrangement arrange_again(Points input, Arrangement arrangement, const Run& run)
 StepSummary summarize_steps(const Sampled& sampled, const std::optional<Terraces>& terraces) {
   StepSummary steps;
   if (sampled.spacing.empty()) return steps;
-  std::vector<double> spacings = sampled.spacing;
-  const double usual = quantile(spacings, 0.5);
+  const double usual = median(sampled.spacing);
   const auto quantum = [&](double Point::*axis) {
-    std::vector<double> values;
-    for (const Point& p : sampled.arrangement.points) values.push_back(p.*axis);
-    const auto levels = find_levels(std::move(values), usual);
+    const auto levels = find_levels(sampled.arrangement.points, axis, usual);
     return levels ? levels->quantum : 0.0;
   };
   steps.x = quantum(&Point::x);

@@ -61,9 +61,9 @@ double length(Points points, Index a, Index b) {
 }
 
 // The median of what is finite; infinite where nothing is.
-double median(std::vector<double> values) {
+double finite_median(std::vector<double> values) {
   std::erase(values, infinite);
-  return values.empty() ? infinite : quantile(values, 0.5);
+  return values.empty() ? infinite : median(std::move(values));
 }
 
 // Steps of the scanner, as they are at each sample.
@@ -85,7 +85,7 @@ Steps measure_steps(Points points, const Raster& raster, const Run& run) {
     ratio[i] = both ? column_step[i] / row_step[i] : infinite;
     steps.to_nearest[i] = std::min(row_step[i], column_step[i]);
   });
-  if (const double unit = median(std::move(ratio)); unit < infinite) steps.column_unit = unit;
+  if (const double unit = finite_median(std::move(ratio)); unit < infinite) steps.column_unit = unit;
   for (std::size_t i = 0; i < n; ++i) least[i] = std::min(row_step[i], column_step[i] / steps.column_unit);
   parallel_for_each(n, Stage::Survey, run, [&](Index i) {
     std::vector<double> around;
@@ -95,7 +95,7 @@ Steps measure_steps(Points points, const Raster& raster, const Run& run) {
         if (beside != none) around.push_back(least[beside]);
       }
     }
-    steps.at[i] = median(std::move(around));
+    steps.at[i] = finite_median(std::move(around));
   });
   return steps;
 }
@@ -118,7 +118,7 @@ bool is_full_turn(Points points, const Raster& raster, const Steps& steps) {
     const Index beside = raster.at({raster.first_column(), raster.cell(i).row}, 0, 0);
     gaps.push_back(length(points, i, beside) / (steps.column_unit * steps.at[i]));
   }
-  return raster.last_column() - raster.first_column() > 2 && median(std::move(gaps)) <= 2;
+  return raster.last_column() - raster.first_column() > 2 && finite_median(std::move(gaps)) <= 2;
 }
 
 // The four samples of a cell in a ring, some of them `none`: this one, the next in its column, the one
@@ -180,7 +180,7 @@ std::optional<RangeImage> image_of_raster(Points points, const Neighbours& neigh
           halves.put({none, i, raster.at(i, 1, 0), raster.at(i, 1, -1)}, found);
       });
   if (triangles.empty()) return std::nullopt;
-  return RangeImage{{}, median(steps.at), std::move(triangles)};
+  return RangeImage{{}, finite_median(steps.at), std::move(triangles)};
 }
 
 std::optional<RangeImage> find_range_image(Points points, const Neighbours& neighbours,

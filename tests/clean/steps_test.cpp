@@ -31,6 +31,12 @@ std::optional<Terraces> terraces_of(const std::vector<Point>& points,
   return find_terraces(points, neighbours, local_spacing(points, neighbours), centres, {});
 }
 
+std::optional<Levels> levels_of(const std::vector<double>& values, double spacing) {
+  std::vector<Point> points;
+  for (const double x : values) points.push_back({x, 0, 0});
+  return find_levels(points, &Point::x, spacing);
+}
+
 }  // namespace
 
 TEST_CASE("the levels of rounded values are found, with those that are missing; others have none") {
@@ -41,12 +47,12 @@ TEST_CASE("the levels of rounded values are found, with those that are missing; 
     others.push_back(6 * random.uniform());
   }
   std::erase(values, 1.0);
-  const auto levels = find_levels(values, 0.4);
+  const auto levels = levels_of(values, 0.4);
   REQUIRE(levels);
   CHECK(levels->quantum == 0.5);
   CHECK(levels->at.size() == 11);
   CHECK(levels->index.back() == 11);
-  CHECK_FALSE(find_levels(others, 0.4));
+  CHECK_FALSE(levels_of(others, 0.4));
 }
 
 TEST_CASE("terraces are high steps across a surface: no slope, no low step, no lattice has them") {
